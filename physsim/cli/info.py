@@ -1,0 +1,65 @@
+"""`physsim info`: what a scene means, or what a trajectory holds."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from physsim.cli import info_scene, info_trajectory
+from physsim.cli.verb import Example, Verb, debug_option, json_option, set_option
+from physsim.errors import FileTrouble
+
+HDF5_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+HEAD_BYTES = 4096
+
+
+@click.command(
+    cls=Verb,
+    exits=(0, 2, 3),
+    arguments=[("FILE", "a scene (YAML) or a trajectory (HDF5); told apart by content, not by name")],
+    examples=[
+        Example("masses, inertias, pairs of materials, overlaps at the start", "physsim info my_scene.yaml"),
+        Example("what a change would do to them", "physsim info my_scene.yaml --set bodies.crate.mass='3 kg'"),
+        Example("how far a run came, and its energy", "physsim info my_scene.h5"),
+        Example(
+            "the mass of one body, for a program",
+            "physsim info --json my_scene.yaml | "
+            """python3 -c 'import json, sys; print(json.load(sys.stdin)["bodies"][1]["mass"])'""",
+        ),
+    ],
+)
+@click.argument("file", type=click.Path())
+@set_option
+@json_option
+@debug_option
+def command(file: str, overrides: tuple[str, ...], as_json: bool) -> None:
+    """Show what physsim makes of a scene, or what a trajectory holds.
+
+    Of a scene: each body with its mass, centre of mass, principal moments and axes, and by which method they
+    were found; the resolved pair matrix, with the row or rule that each number came from; overlaps at the
+    start. Of a trajectory: status, frames, time range, bodies, energy, versions and where it came from; also
+    while it is still being written.
+    """
+    if is_trajectory(Path(file)):
+        if overrides:
+            raise click.UsageError("--set changes scenes; a trajectory is what it is")
+        info_trajectory.show(file, as_json)
+    else:
+        info_scene.show(file, overrides, as_json)
+
+
+def is_trajectory(path: Path) -> bool:
+    """Whether the content is HDF5. Raises FileTrouble for a file that is neither that nor text."""
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEAD_BYTES)
+    except IsADirectoryError:
+        raise FileTrouble(f"{path}: is a folder; name a scene or a trajectory in it") from None
+    except FileNotFoundError:
+        raise FileTrouble(f"{path}: no such file") from None
+    if head.startswith(HDF5_SIGNATURE):
+        return True
+    if b"\0" in head:
+        raise FileTrouble(f"{path}: is neither a scene (YAML text) nor a trajectory (HDF5)")
+    return False

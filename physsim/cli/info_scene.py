@@ -1,0 +1,142 @@
+"""What `physsim info` says of a scene: masses and where they come from, pairs of materials, overlaps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations_with_replacement
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from physsim.cli import output, problems
+from physsim.cli.table import number, table, vector
+
+if TYPE_CHECKING:
+    from physsim.model import Model
+    from physsim.scene import Scene
+
+Facts = dict[str, Any]
+
+
+def show(file: str, overrides: Sequence[str], as_json: bool) -> None:
+    """Load, compile and describe; raises SceneError and FileTrouble as those do."""
+    from physsim.model import compile_scene
+    from physsim.scene import load_scene
+
+    scene = load_scene(file, overrides=overrides)
+    model = compile_scene(scene)
+    facts = {
+        "file": file,
+        "scene": scene_facts(scene, model),
+        "bodies": [body_facts(model, index) for index in range(len(model.body_names))],
+        "pairs": pair_facts(model),
+        "overlaps": overlap_facts(model),
+    }
+    if as_json:
+        output.document("info", 0, **facts, problems=problems.as_data(model.warnings, file))
+        return
+    output.result(as_text(facts))
+    if model.warnings:
+        output.message(problems.as_text(model.warnings, file))
+
+
+def scene_facts(scene: Scene, model: Model) -> Facts:
+    """Title, times and method."""
+    simulation = model.spec.simulation
+    names = ("duration", "timestep", "steps", "integrator", "impacts", "collision", "iterations", "stabilization")
+    chosen = {name: getattr(simulation, name) for name in names}
+    return {"title": scene.title, **chosen, "record_every": model.spec.record.every, "meshes": dict(model.mesh_sha256)}
+
+
+def body_facts(model: Model, index: int) -> Facts:
+    """Mass, centre and principal moments [kg m^2] with their axes (unit vectors, body axes) of one body."""
+    import numpy as np
+
+    inertia = model.inertia[index]
+    finite = bool(np.isfinite(inertia).all())
+    moments, axes = np.linalg.eigh(inertia) if finite else (np.full(3, np.inf), np.eye(3))
+    return {
+        "name": model.body_names[index],
+        "fixed": bool(model.fixed[index]),
+        "material": model.material_names[model.body_material[index]],
+        "mass": float(model.mass[index]),
+        "center_of_mass": model.center_of_mass[index].tolist(),
+        "principal_moments": moments.tolist(),
+        "principal_axes": axes.T.tolist() if finite else None,
+        "method": model.mass_method[index],
+    }
+
+
+def pair_facts(model: Model) -> list[Facts]:
+    """Every pair of the materials in use with the row or rule that its numbers came from."""
+    names, pairs = model.material_names, model.pairs
+    return [
+        {
+            "between": [names[i], names[j]],
+            "restitution": float(pairs.restitution[i, j]),
+            "static_friction": float(pairs.static_friction[i, j]),
+            "kinetic_friction": float(pairs.kinetic_friction[i, j]),
+            "source": pairs.source[i][j],
+        }
+        for i, j in combinations_with_replacement(range(len(names)), 2)
+    ]
+
+
+def as_text(facts: Facts) -> str:
+    """The whole answer for people."""
+    scene = facts["scene"]
+    head = (
+        f"{click.style(facts['file'], bold=True)}: {scene['title']}\n"
+        f"{len(facts['bodies'])} bodies; {scene['duration']:g} s in {scene['steps']} steps of "
+        f"{scene['timestep']:g} s, {scene['integrator']}; a frame every {scene['record_every']:g} s"
+    )
+    return "\n\n".join([head, bodies_text(facts["bodies"]), pairs_text(facts["pairs"]), overlaps_text(facts["overlaps"])])
+
+
+def bodies_text(bodies: Sequence[Facts]) -> str:
+    """Two tables: where the mass is, and how it is spread."""
+    masses = [
+        [
+            body["name"],
+            "fixed" if body["fixed"] else "moves",
+            body["material"],
+            number(body["mass"], 6),
+            vector(body["center_of_mass"]),
+            body["method"],
+        ]
+        for body in bodies
+    ]
+    inertias = [
+        [body["name"], vector(body["principal_moments"]), "; ".join(vector(axis, 3) for axis in body["principal_axes"])]
+        for body in bodies
+        if body["principal_axes"] is not None
+    ]
+    return "\n\n".join(
+        [
+            table(("body", "", "material", "mass [kg]", "centre of mass [m]", "mass and inertia by"), masses, right=(3,)),
+            table(("body", "principal moments [kg m^2]", "principal axes (body axes)"), inertias),
+        ]
+    )
+
+
+def pairs_text(pairs: Sequence[Facts]) -> str:
+    """The resolved matrix, one pair in a line."""
+    rows = [
+        [
+            " - ".join(pair["between"]),
+            number(pair["restitution"]),
+            number(pair["static_friction"]),
+            number(pair["kinetic_friction"]),
+            pair["source"],
+        ]
+        for pair in pairs
+    ]
+    return table(("pair", "restitution", "static", "kinetic", "from"), rows, right=(1, 2, 3))
+
+
+def overlaps_text(overlaps: Sequence[Facts]) -> str:
+    """Bodies that overlap at the start, deepest first."""
+    if not overlaps:
+        return "No bodies overlap at the start."
+    rows = [[" - ".join(overlap["between"]), number(overlap["depth"]), vector(overlap["position"])] for overlap in overlaps]
+    return table(("overlap at the start", "depth [m]", "at [m]"), rows, right=(1,))
