@@ -1,0 +1,154 @@
+"""Forms of meshes and convex bodies: inertia from the surface as drawn, contacts from what `collision` asks
+for.
+
+The inertia always comes from the original surface, never from the convex pieces that collide in its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from physsim.model import polyhedron
+from physsim.model.form import Form
+from physsim.model.geom import Geom, hull_geom, surface_geom
+from physsim.model.hull import Hull, convex_hull
+from physsim.model.inertia import MassProperties
+from physsim.model.mesh import FLAT, TriangleMesh, read_mesh, read_points
+from physsim.model.pieces import convex_pieces
+from physsim.model.rotation import FloatArray
+from physsim.model.trouble import ShapeTrouble
+
+if TYPE_CHECKING:
+    from physsim.scene.spec.shapes import ConvexShape, MeshShape
+
+
+@dataclass
+class MeshFiles:
+    """Reads every mesh file once, and remembers its hash.
+
+    find: name in the scene -> path (may raise what the scene room raises).
+    """
+
+    find: Callable[[str], Path]
+    sha256: dict[str, str] = field(default_factory=dict)
+    _meshes: dict[Path, TriangleMesh] = field(default_factory=dict)
+
+    def mesh(self, file: str) -> TriangleMesh:
+        """The surface in a file. Raises ShapeTrouble."""
+        path = self.find(file)
+        if path not in self._meshes:
+            self._meshes[path] = read_mesh(path)
+        self.sha256[file] = self._meshes[path].sha256
+        return self._meshes[path]
+
+    def points(self, file: str) -> FloatArray:
+        """The vertices in a file. Raises ShapeTrouble."""
+        points, self.sha256[file] = read_points(self.find(file))
+        return points
+
+
+def mesh_form(shape: MeshShape, files: MeshFiles, fixed: bool) -> Form:
+    """The form of `mesh {file, scale, collision, inertia}`; a fixed body needs no inertia, so its mesh may
+    be open.
+
+    Raises ShapeTrouble.
+    """
+    mesh = files.mesh(shape.file)
+    if shape.collision == "exact" and not fixed:
+        raise ShapeTrouble(
+            "is for fixed bodies only",
+            key="collision",
+            given="exact",
+            allowed="hull, pieces",
+            hint="a moving body collides as its hull or in convex pieces",
+        )
+    vertices = mesh.vertices * shape.scale
+    unit, volume, method = _mass_properties(mesh, vertices, shape.inertia, fixed)
+    spans = np.ptp(vertices, axis=0)
+    geoms = _geoms(mesh, vertices, shape)
+    return Form(unit, volume, method, float(spans.min()), float(np.linalg.norm(spans)), geoms)
+
+
+def convex_form(shape: ConvexShape, files: MeshFiles) -> Form:
+    """The form of `convex {points | file}`. Raises ShapeTrouble."""
+    key = "points" if shape.file is None else "file"
+    points = np.array(shape.points, dtype=np.float64) if shape.file is None else files.points(shape.file)
+    if shape.scale is not None:
+        points = points * shape.scale
+    try:
+        hull = convex_hull(points)
+    except ShapeTrouble as trouble:
+        raise ShapeTrouble(trouble.message, key=key) from None
+    solid = polyhedron.solid(hull.vertices, hull.triangles())
+    spans = np.ptp(hull.vertices, axis=0)
+    return Form(
+        solid.scaled(1.0),
+        solid.mass,
+        f"convex, solid, {len(hull.vertices)} vertices",
+        float(spans.min()),
+        float(np.linalg.norm(spans)),
+        (hull_geom(hull),),
+    )
+
+
+def _mass_properties(
+    mesh: TriangleMesh, vertices: FloatArray, inertia: str, fixed: bool
+) -> tuple[MassProperties, float | None, str]:
+    """Properties of one kilogram, volume, and the method in words."""
+    count = f"{len(mesh.triangles)} triangles"
+    if inertia == "shell" or (fixed and not mesh.closed):
+        return polyhedron.shell(vertices, mesh.triangles).scaled(1.0), None, f"mesh, shell, {count}"
+    if inertia == "hull":
+        hull = convex_hull(vertices)
+        solid = polyhedron.solid(hull.vertices, hull.triangles())
+        return solid.scaled(1.0), solid.mass, f"mesh, hull, {len(hull.vertices)} vertices"
+    _require_closed(mesh, "the mass and inertia of a solid")
+    solid = polyhedron.solid(vertices, mesh.triangles)
+    size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
+    if solid.mass <= FLAT * size**3:
+        raise ShapeTrouble(
+            "encloses no volume", key="file", hint="give it a thickness, or use inertia: shell"
+        )
+    return solid.scaled(1.0), solid.mass, f"mesh, solid, {count}"
+
+
+def _require_closed(mesh: TriangleMesh, purpose: str) -> None:
+    if not mesh.closed:
+        raise ShapeTrouble(
+            f"is not closed: {mesh.open_edges} edges do not join exactly two triangles of like winding, "
+            f"and {purpose} needs an inside",
+            key="file",
+            hint="close it, or use inertia: hull or inertia: shell with collision: hull",
+        )
+
+
+def _geoms(mesh: TriangleMesh, vertices: FloatArray, shape: MeshShape) -> tuple[Geom, ...]:
+    if shape.collision == "exact":
+        corners = vertices[mesh.triangles]
+        with_area = polyhedron.triangle_areas(corners) > 0
+        return (surface_geom(vertices, mesh.triangles[with_area]),)
+    if shape.collision == "pieces":
+        _require_closed(mesh, "cutting into pieces")
+        pieces = convex_pieces(mesh.vertices, mesh.triangles)
+        return tuple(hull_geom(hull) for hull in _piece_hulls(pieces, shape.scale))
+    return (hull_geom(convex_hull(vertices)),)
+
+
+def _piece_hulls(pieces: list[FloatArray], scale: float) -> list[Hull]:
+    """Hulls of the pieces; a sliver without volume, which CoACD leaves now and then, is no obstacle to
+    anything.
+    """
+    hulls = []
+    for piece in pieces:
+        try:
+            hulls.append(convex_hull(piece * scale))
+        except ShapeTrouble:
+            continue
+    if not hulls:
+        raise ShapeTrouble("was cut into nothing but slivers", key="collision", given="pieces")
+    return hulls
