@@ -1,0 +1,207 @@
+//! Contacts between two posed shapes: which points, which direction, how deep.
+//!
+//! Every pair is answered in the same two strides: find the direction in which the shapes are least apart or least
+//! overlapped (closed form, projection onto a solid, or separating axes), then lay the features that face each other
+//! in this direction over one another (`features`, `clip`) and measure each point's gap along it.
+
+mod box_box;
+mod clip;
+mod closest;
+mod features;
+mod halfspace;
+mod reduce;
+mod sphere;
+
+use crate::shape::{Pose, Shape};
+use glam::DVec3;
+
+/// One point of a contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactPoint {
+    /// Midway between both surfaces, world [m].
+    pub position: DVec3,
+    /// Unit vector from B to A, world.
+    pub normal: DVec3,
+    /// Positive where the shapes overlap, minus the gap where they do not [m].
+    pub depth: f64,
+}
+
+/// Whether the engine had an answer of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The points, perhaps none, have been appended.
+    Answered,
+    /// No kernel for this pair of shapes: ask FCL, then call `manifold`.
+    AskFcl,
+}
+
+/// Memory that is used again from pair to pair, so that a steady simulation allocates nothing.
+#[derive(Default, Debug)]
+pub struct Scratch {
+    feature_a: Vec<DVec3>,
+    feature_b: Vec<DVec3>,
+    clip: clip::Buffers,
+    points: Vec<ContactPoint>,
+}
+
+/// A shape at its place.
+#[derive(Clone, Copy)]
+pub(crate) struct Posed<'a> {
+    pub shape: &'a Shape,
+    pub pose: Pose,
+}
+
+impl Posed<'_> {
+    /// World point farthest along a world direction.
+    pub fn support(&self, direction: DVec3) -> DVec3 {
+        self.pose
+            .point(self.shape.support(self.pose.inverse_direction(direction)))
+    }
+}
+
+/// Where kernels put their points: those nearer than the margin.
+pub(crate) struct Sink<'a> {
+    pub margin: f64,
+    pub out: &'a mut Vec<ContactPoint>,
+}
+
+impl Sink<'_> {
+    /// Keeps the point unless it is farther than the margin (or not a number).
+    pub fn push(&mut self, position: DVec3, normal: DVec3, depth: f64) {
+        if depth > -self.margin && position.is_finite() && normal.is_finite() && depth.is_finite() {
+            self.out.push(ContactPoint {
+                position,
+                normal,
+                depth,
+            });
+        }
+    }
+}
+
+/// Appends the points where A and B are nearer than `margin` [m] to `out`: at most 8 for convex shapes, at most 32 for a
+/// mesh. Says `AskFcl`, and appends nothing, when `has_kernel` is false.
+pub fn collide(
+    a: &Shape,
+    pose_a: &Pose,
+    b: &Shape,
+    pose_b: &Pose,
+    margin: f64,
+    scratch: &mut Scratch,
+    out: &mut Vec<ContactPoint>,
+) -> Verdict {
+    if !has_kernel(a, b) {
+        return Verdict::AskFcl;
+    }
+    let a = Posed {
+        shape: a,
+        pose: *pose_a,
+    };
+    let b = Posed {
+        shape: b,
+        pose: *pose_b,
+    };
+    in_order(a, b, out, |a, b, out| {
+        kernel(a, b, scratch, &mut Sink { margin, out })
+    });
+    Verdict::Answered
+}
+
+/// Whether `collide` answers this pair of shapes itself.
+pub fn has_kernel(a: &Shape, b: &Shape) -> bool {
+    let (low, high) = if rank(a) <= rank(b) { (a, b) } else { (b, a) };
+    match (low, high) {
+        (_, Shape::HalfSpace) => true,
+        (Shape::Sphere { .. }, Shape::Ellipsoid { .. }) => false,
+        (Shape::Sphere { .. }, _) => high.is_convex(),
+        (Shape::Box { .. }, Shape::Box { .. }) => true,
+        _ => false,
+    }
+}
+
+/// Calls with the shapes in the order of their rank and in axes through the first one's origin, then mirrors and
+/// shifts the new points back: both orders of the arguments give the same answer, and precision does not depend on
+/// the distance from the world's origin.
+fn in_order<'a>(
+    a: Posed<'a>,
+    b: Posed<'a>,
+    out: &mut Vec<ContactPoint>,
+    call: impl FnOnce(&Posed<'a>, &Posed<'a>, &mut Vec<ContactPoint>),
+) {
+    let start = out.len();
+    let swapped = rank(a.shape) > rank(b.shape);
+    let (mut first, mut second) = if swapped { (b, a) } else { (a, b) };
+    let origin = first.pose.position;
+    first.pose.position = DVec3::ZERO;
+    second.pose.position -= origin;
+    call(&first, &second, out);
+    for point in out.iter_mut().skip(start) {
+        point.position += origin;
+        if swapped {
+            point.normal = -point.normal;
+        }
+    }
+}
+
+/// The order in which kernels expect their shapes.
+fn rank(shape: &Shape) -> u8 {
+    match shape {
+        Shape::Sphere { .. } => 0,
+        Shape::Capsule { .. } => 1,
+        Shape::Rod { .. } => 2,
+        Shape::Box { .. } => 3,
+        Shape::Hull(_) => 4,
+        Shape::Triangle(_) => 5,
+        Shape::Cylinder { .. } => 6,
+        Shape::Cone { .. } => 7,
+        Shape::Ellipsoid { .. } => 8,
+        Shape::Mesh(_) => 9,
+        Shape::HalfSpace => 10,
+    }
+}
+
+fn kernel(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
+    match (a.shape, b.shape) {
+        (_, Shape::HalfSpace) => halfspace::collide(a, &b.pose, scratch, sink),
+        (Shape::Sphere { radius }, _) => sphere::collide(*radius, &a.pose, b, sink),
+        (Shape::Box { half: half_a }, Shape::Box { half: half_b }) => {
+            if let Some(normal) =
+                box_box::separating_axis(*half_a, &a.pose, *half_b, &b.pose, sink.margin)
+            {
+                along(a, b, normal, scratch, sink);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The contact along a known normal: features that face each other, clipped against one another.
+fn along(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut Sink) {
+    features::facing(a, -normal, &mut scratch.feature_a);
+    features::facing(b, normal, &mut scratch.feature_b);
+    let start = sink.out.len();
+    clip::overlay(
+        &mut scratch.feature_a,
+        &mut scratch.feature_b,
+        normal,
+        &mut scratch.clip,
+        sink,
+    );
+    reduce::spread(sink.out, start, 8, &mut scratch.points);
+    if sink.out.len() == start {
+        overlapping_supports(a, b, normal, sink);
+    }
+}
+
+/// Last resort where the features miss each other though the shapes overlap: one point between the two supports.
+fn overlapping_supports(a: &Posed, b: &Posed, normal: DVec3, sink: &mut Sink) {
+    let (p, q) = (a.support(-normal), b.support(normal));
+    let gap = normal.dot(p - q);
+    if gap <= 0.0 {
+        sink.push((p + q) * 0.5, normal, -gap);
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod testing;
+#[cfg(test)]
+mod tests;
