@@ -106,6 +106,40 @@ pub fn collide(
     Verdict::Answered
 }
 
+/// Appends the manifold for a normal (unit, from B to A, roughly right) that somebody else, FCL, found, and a point
+/// near the contact: refines the normal, then lays the features that it selects over one another.
+#[allow(clippy::too_many_arguments)] // two posed shapes, the answer about them, and where to put the result
+pub fn manifold(
+    a: &Shape,
+    pose_a: &Pose,
+    b: &Shape,
+    pose_b: &Pose,
+    normal: DVec3,
+    witness: DVec3,
+    margin: f64,
+    scratch: &mut Scratch,
+    out: &mut Vec<ContactPoint>,
+) {
+    let sign = if rank(a) > rank(b) { -1.0 } else { 1.0 };
+    let a = Posed {
+        shape: a,
+        pose: *pose_a,
+    };
+    let b = Posed {
+        shape: b,
+        pose: *pose_b,
+    };
+    in_order(a, b, out, |a, b, out| {
+        let sink = &mut Sink { margin, out };
+        match b.shape {
+            Shape::HalfSpace => halfspace::collide(a, &b.pose, scratch, sink),
+            Shape::Mesh(_) => {}
+            _ => along(a, b, sign * normal, scratch, sink),
+        }
+    });
+    let _ = witness;
+}
+
 /// Whether `collide` answers this pair of shapes itself.
 pub fn has_kernel(a: &Shape, b: &Shape) -> bool {
     let (low, high) = if rank(a) <= rank(b) { (a, b) } else { (b, a) };
