@@ -18,7 +18,7 @@ class Problem:
 
     path: keys and indices from the root, e.g. ``("bodies", "ball", "shape", "radius")``.
     message: what is wrong, in words, e.g. ``must be greater than 0``.
-    given, allowed, hint: what stood there, what may stand there, the likely slip; None where there is nothing to say.
+    given, allowed, hint: what stood there, what may stand there, the likely slip; None where there is none.
     line, column: from 1, None until the scene room has placed the problem.
     source_line: the text of that line, for the caret.
     """

@@ -1,0 +1,221 @@
+//! From found points to the contacts of a step.
+//!
+//! Points that nearly touch become contacts as they are. A pair that will be hit within the step is followed to the
+//! instant of touching by conservative advancement (Mirtich 1996): advance by gap / closing speed, look again, until
+//! the gap is closed; its contacts are those at that instant, with the normal and the arms that hold there. Pairs that
+//! pass each other drop out on the way.
+
+use glam::DVec3;
+
+use crate::body::Body;
+use crate::collide::{Detector, Found, Job, Oracle};
+use crate::contact::Contact;
+use crate::impact::{normal_acceleration, touching_instant, Rules};
+use crate::math::rotation_from_vector;
+use crate::model::{Geom, PairTable, Settings};
+use crate::shape::Pose;
+
+/// Contacts appear before the surfaces touch, at this part of the smaller geom's bounding radius.
+const NEAR: f64 = 0.01;
+/// A gap closed to this part of the near margin is touching.
+const TOUCHING: f64 = 1e-6;
+/// Looks at most on the way to touching.
+const ROUNDS: usize = 12;
+
+/// The world as it stands when a step begins.
+pub struct StepStart<'a> {
+    /// Simulation settings.
+    pub settings: &'a Settings,
+    /// Collision shapes.
+    pub geoms: &'a [Geom],
+    /// Material pairs.
+    pub pairs: &'a PairTable,
+    /// Bodies at the start of the step.
+    pub bodies: &'a [Body],
+    /// Their free accelerations.
+    pub accelerations: &'a [DVec3],
+    /// When an approach counts as an impact.
+    pub rules: Rules,
+}
+
+/// Gap up to which a point is a contact although nothing moves [m].
+#[must_use]
+pub fn near_margin(a: &Geom, b: &Geom) -> f64 {
+    NEAR * a.shape.bounding_radius().min(b.shape.bounding_radius()).min(1e3)
+}
+
+/// A pair on its way to touching.
+#[derive(Clone, Copy)]
+struct Pursuit {
+    job: u32,
+    instant: f64,
+    state: Chase,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Chase {
+    Open,
+    Touching,
+    Missed,
+}
+
+/// Working memory.
+#[derive(Default)]
+pub struct Approach {
+    pursuits: Vec<Pursuit>,
+    first: Vec<Found>,
+    jobs: Vec<Job>,
+}
+
+impl Approach {
+    /// Fill `out` with the contacts of the step, in the order of the jobs.
+    ///
+    /// # Errors
+    /// The oracle's message.
+    pub fn contacts(
+        &mut self,
+        start: &StepStart,
+        jobs: &[Job],
+        detector: &mut Detector,
+        oracle: &mut dyn Oracle,
+        out: &mut Vec<Contact>,
+    ) -> Result<(), String> {
+        out.clear();
+        self.pursuits.clear();
+        std::mem::swap(&mut self.first, &mut detector.found);
+        for points in self.first.chunk_by(|a, b| a.job == b.job) {
+            let job = &jobs[points[0].job as usize];
+            let earliest = start.earliest_touch(job, points, 0.0);
+            if earliest > 0.0 && earliest.is_finite() {
+                self.pursuits.push(Pursuit { job: points[0].job, instant: earliest, state: Chase::Open });
+            }
+            let near = start.near(job);
+            let kept = points.iter().filter(|f| f.point.depth > -near);
+            out.extend(kept.map(|f| start.contact(job, f, 0.0)));
+        }
+        if !self.pursuits.is_empty() {
+            self.pursue(start, jobs, detector, oracle, out)?;
+        }
+        Ok(())
+    }
+
+    /// Follow all pursuits together, so that the oracle is asked once a round.
+    fn pursue(
+        &mut self,
+        start: &StepStart,
+        jobs: &[Job],
+        detector: &mut Detector,
+        oracle: &mut dyn Oracle,
+        out: &mut Vec<Contact>,
+    ) -> Result<(), String> {
+        let hits = out.len();
+        for _ in 0..ROUNDS {
+            self.jobs.clear();
+            self.jobs.extend(self.pursuits.iter().map(|p| start.job_at(&jobs[p.job as usize], p.instant)));
+            detector.run(start.geoms, &self.jobs, start.settings.fcl_only, oracle)?;
+            let mut open = false;
+            out.truncate(hits);
+            for points in detector.found.chunk_by(|a, b| a.job == b.job) {
+                let pursuit = &mut self.pursuits[points[0].job as usize];
+                let (job, found_at) = (&jobs[pursuit.job as usize], pursuit.instant);
+                start.advance(pursuit, job, points);
+                open |= pursuit.state == Chase::Open;
+                if pursuit.state != Chase::Missed {
+                    let near = start.near(job);
+                    let kept = points.iter().filter(|f| f.point.depth > -near);
+                    out.extend(kept.map(|f| start.contact(job, f, found_at)));
+                }
+            }
+            if !open {
+                break;
+            }
+        }
+        self.replace(hits, out);
+        Ok(())
+    }
+
+    /// Contacts of pairs that were pursued to touching stand for those found at the start of the step.
+    fn replace(&mut self, hits: usize, out: &mut Vec<Contact>) {
+        let mut pursued: Vec<(u32, u32)> = out[hits..].iter().map(|c| c.geoms).collect();
+        pursued.dedup();
+        let mut index = 0;
+        out.retain(|c| {
+            index += 1;
+            index > hits || pursued.binary_search(&c.geoms).is_err()
+        });
+        out.sort_by_key(|c| c.geoms);
+    }
+}
+
+impl StepStart<'_> {
+    fn geoms(&self, job: &Job) -> (&Geom, &Geom) {
+        (&self.geoms[job.geoms.0 as usize], &self.geoms[job.geoms.1 as usize])
+    }
+
+    fn near(&self, job: &Job) -> f64 {
+        let (a, b) = self.geoms(job);
+        near_margin(a, b)
+    }
+
+    /// The centre-of-mass pose of a body at an instant of the step, if nothing hits it: x + v t + a t (t + dt) / 2.
+    fn pose_at(&self, body: usize, t: f64) -> Pose {
+        let b = &self.bodies[body];
+        if b.is_fixed() || t == 0.0 {
+            return b.pose();
+        }
+        let turn = rotation_from_vector(b.angular_velocity * t);
+        let fall = self.accelerations[body] * (0.5 * t * (t + self.settings.timestep));
+        Pose {
+            position: b.state.position + b.state.velocity * t + fall,
+            rotation: glam::DMat3::from_quat(turn) * b.rotation,
+        }
+    }
+
+    fn job_at(&self, job: &Job, t: f64) -> Job {
+        let (a, b) = self.geoms(job);
+        let poses = (a.pose(&self.pose_at(a.body, t)), b.pose(&self.pose_at(b.body, t)));
+        Job { poses, ..*job }
+    }
+
+    /// A contact at a point found with both bodies where they are at the instant `t`. Its gap is traced back along
+    /// the paths to the start of the step.
+    fn contact(&self, job: &Job, found: &Found, t: f64) -> Contact {
+        let (a, b) = self.geoms(job);
+        let centres = (self.pose_at(a.body, t).position, self.pose_at(b.body, t).position);
+        let coefficients = self.pairs.get(a.material, b.material);
+        let mut c = Contact::new(job.geoms, (a, b), self.bodies, centres, coefficients, &found.point);
+        if t > 0.0 {
+            let fall = normal_acceleration(&c, self.accelerations) * (0.5 * t * (t + self.settings.timestep));
+            c.gap -= c.velocity_before.dot(c.normal) * t + fall;
+            c.instant = t;
+        }
+        c
+    }
+
+    /// The first instant at which one of these points, found at the instant `t`, is hit; infinite when none is.
+    fn earliest_touch(&self, job: &Job, points: &[Found], t: f64) -> f64 {
+        let touch = |f: &Found| {
+            let c = self.contact(job, f, t);
+            touching_instant(&c, self.bodies, self.accelerations, &self.rules)
+        };
+        points.iter().map(touch).fold(f64::INFINITY, f64::min)
+    }
+
+    /// One look at a pursued pair, whose points were found at its instant: touching, missed, or farther on.
+    fn advance(&self, pursuit: &mut Pursuit, job: &Job, points: &[Found]) {
+        if pursuit.state != Chase::Open {
+            return;
+        }
+        let next = self.earliest_touch(job, points, pursuit.instant);
+        let deepest = points.iter().map(|f| f.point.depth).fold(f64::NEG_INFINITY, f64::max);
+        let closed = deepest.abs() <= TOUCHING * self.near(job);
+        if closed || (next - pursuit.instant).abs() <= 1e-9 * self.settings.timestep {
+            pursuit.state = Chase::Touching;
+        } else if next.is_finite() {
+            pursuit.instant = next;
+        } else {
+            pursuit.state = Chase::Missed;
+            pursuit.instant = 0.0;
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! A rigid body: what it is (mass properties) and where it is (state), both about the centre of mass.
+
+use glam::{DMat3, DQuat, DVec3};
+use serde::{Deserialize, Serialize};
+
+use crate::math::symmetric_eigen;
+use crate::shape::Pose;
+
+/// Mass and principal moments of inertia. Fixed bodies have inverse mass and inverse moments zero.
+#[derive(Clone, Debug)]
+pub struct MassProperties {
+    /// Mass [kg]; 0 for fixed bodies, which never enter a sum of momenta or energies.
+    pub mass: f64,
+    /// 1 / mass [1/kg], 0 for fixed bodies.
+    pub inverse_mass: f64,
+    /// Principal moments of inertia [kg m^2].
+    pub moments: DVec3,
+    /// Their inverses; 0 where the moment is 0 (a thin rod about its own axis cannot be spun up).
+    pub inverse_moments: DVec3,
+    /// Principal frame -> body frame.
+    pub axes: DQuat,
+}
+
+impl MassProperties {
+    /// Of a body that nothing moves.
+    #[must_use]
+    pub fn fixed() -> Self {
+        Self {
+            mass: 0.0,
+            inverse_mass: 0.0,
+            moments: DVec3::ZERO,
+            inverse_moments: DVec3::ZERO,
+            axes: DQuat::IDENTITY,
+        }
+    }
+
+    /// From the inertia tensor [kg m^2] about the centre of mass, in body axes.
+    #[must_use]
+    pub fn new(mass: f64, inertia: DMat3) -> Self {
+        let (moments, axes) = symmetric_eigen(inertia);
+        let negligible = 1e-12 * moments.max_element();
+        let invert = |i: f64| if i > negligible { 1.0 / i } else { 0.0 };
+        Self {
+            mass,
+            inverse_mass: 1.0 / mass,
+            moments,
+            inverse_moments: DVec3::new(invert(moments.x), invert(moments.y), invert(moments.z)),
+            axes: DQuat::from_mat3(&axes).normalize(),
+        }
+    }
+}
+
+/// What moves: the state that integrators advance and checkpoints keep.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// Of the centre of mass [m].
+    pub position: DVec3,
+    /// Body axes -> world axes.
+    pub orientation: DQuat,
+    /// Of the centre of mass [m/s].
+    pub velocity: DVec3,
+    /// About the centre of mass, world axes [kg m^2/s].
+    pub angular_momentum: DVec3,
+}
+
+/// A body with everything that follows from its state and is asked for many times in a step.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// What moves.
+    pub state: State,
+    /// What it is.
+    pub mass: MassProperties,
+    /// Rotation matrix of the orientation.
+    pub rotation: DMat3,
+    /// Inverse inertia tensor in world axes.
+    pub inverse_inertia: DMat3,
+    /// omega = I_world^-1 L, world axes [rad/s].
+    pub angular_velocity: DVec3,
+    /// Greatest distance of the body's geometry from its centre of mass [m].
+    pub reach: f64,
+}
+
+impl Body {
+    /// Put a body of these mass properties into this state.
+    #[must_use]
+    pub fn new(mass: MassProperties, state: State) -> Self {
+        let mut body = Self {
+            state,
+            mass,
+            rotation: DMat3::IDENTITY,
+            inverse_inertia: DMat3::ZERO,
+            angular_velocity: DVec3::ZERO,
+            reach: 0.0,
+        };
+        body.refresh();
+        body
+    }
+
+    /// Fixed bodies take no part in the motion.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        self.mass.inverse_mass == 0.0
+    }
+
+    /// Normalise the orientation and recompute what follows from the state.
+    pub fn refresh(&mut self) {
+        self.state.orientation = self.state.orientation.normalize();
+        self.derive();
+    }
+
+    /// What follows from the state: I_world^-1 = R I_body^-1 R^T, omega = I_world^-1 L.
+    pub fn derive(&mut self) {
+        self.rotation = DMat3::from_quat(self.state.orientation);
+        let principal = DMat3::from_quat((self.state.orientation * self.mass.axes).normalize());
+        self.inverse_inertia =
+            principal * DMat3::from_diagonal(self.mass.inverse_moments) * principal.transpose();
+        self.angular_velocity = self.inverse_inertia * self.state.angular_momentum;
+    }
+
+    /// Give the body this angular velocity [rad/s], world axes: L = I_world omega.
+    pub fn set_angular_velocity(&mut self, omega: DVec3) {
+        let principal = DMat3::from_quat((self.state.orientation * self.mass.axes).normalize());
+        self.state.angular_momentum =
+            principal * (self.mass.moments * (principal.transpose() * omega));
+        self.refresh();
+    }
+
+    /// Impulse `p` [N s] at the arm `r` from the centre of mass: dv = p/m, dL = r x p.
+    pub fn apply_impulse(&mut self, p: DVec3, r: DVec3) {
+        if self.is_fixed() {
+            return;
+        }
+        let turn = r.cross(p);
+        self.state.velocity += p * self.mass.inverse_mass;
+        self.state.angular_momentum += turn;
+        self.angular_velocity += self.inverse_inertia * turn;
+    }
+
+    /// Velocity of the material point at the arm `r` from the centre of mass: v + omega x r.
+    #[must_use]
+    pub fn velocity_at(&self, r: DVec3) -> DVec3 {
+        self.state.velocity + self.angular_velocity.cross(r)
+    }
+
+    /// Move by a displacement [m] and a rotation vector [rad], taking the angular momentum along, so that the kinetic
+    /// energy stays as it is.
+    pub fn displace(&mut self, shift: DVec3, turn: DVec3) {
+        let rotation = crate::math::rotation_from_vector(turn);
+        self.state.position += shift;
+        self.state.orientation = rotation * self.state.orientation;
+        self.state.angular_momentum = rotation * self.state.angular_momentum;
+        self.refresh();
+    }
+
+    /// The pose of the body's axes at its centre of mass.
+    #[must_use]
+    pub fn pose(&self) -> Pose {
+        Pose {
+            position: self.state.position,
+            rotation: self.rotation,
+        }
+    }
+
+    /// Translational and rotational kinetic energy [J]: m v^2 / 2, omega . L / 2.
+    #[must_use]
+    pub fn kinetic_energy(&self) -> (f64, f64) {
+        (
+            0.5 * self.mass.mass * self.state.velocity.length_squared(),
+            0.5 * self.angular_velocity.dot(self.state.angular_momentum),
+        )
+    }
+}

@@ -1,0 +1,189 @@
+//! The narrow phase over many pairs: own kernels where they exist, an oracle (FCL) elsewhere.
+
+use crate::model::Geom;
+use crate::narrowphase::{self, ContactPoint, Scratch, Verdict};
+use crate::shape::{Pose, Shape};
+use glam::DVec3;
+
+/// A question to the oracle: how do these two geoms lie to each other?
+#[derive(Clone, Copy, Debug)]
+pub struct Query {
+    /// Geoms A and B.
+    pub geoms: (u32, u32),
+    /// Triangle of an exact mesh, -1 for every other shape.
+    pub triangles: (i32, i32),
+    /// Poses of the geoms.
+    pub poses: (Pose, Pose),
+    /// Farther apart than this is of no interest [m].
+    pub margin: f64,
+}
+
+/// The oracle's answer, where the geoms are nearer than the margin.
+#[derive(Clone, Copy, Debug)]
+pub struct Answer {
+    /// Unit vector from B to A.
+    pub normal: DVec3,
+    /// Positive overlap [m].
+    pub depth: f64,
+    /// A point between the surfaces [m].
+    pub position: DVec3,
+}
+
+/// Somebody who knows every pair of shapes.
+pub trait Oracle {
+    /// Answer all queries, in order; `None` where the geoms are apart.
+    ///
+    /// # Errors
+    /// A message when the oracle itself fails.
+    fn ask(&mut self, queries: &[Query], answers: &mut Vec<Option<Answer>>) -> Result<(), String>;
+}
+
+/// Stands where every pair has a kernel.
+pub struct NoOracle;
+
+impl Oracle for NoOracle {
+    fn ask(&mut self, _: &[Query], _: &mut Vec<Option<Answer>>) -> Result<(), String> {
+        Err("a pair of shapes needs FCL, but no FCL callback was given".into())
+    }
+}
+
+/// One pair to look at.
+#[derive(Clone, Copy, Debug)]
+pub struct Job {
+    /// Geoms A and B.
+    pub geoms: (u32, u32),
+    /// Their poses.
+    pub poses: (Pose, Pose),
+    /// Points with a gap below this are wanted [m].
+    pub margin: f64,
+}
+
+/// A contact point and the job that it answers.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// Index of the job.
+    pub job: u32,
+    /// The point.
+    pub point: ContactPoint,
+}
+
+/// Runs jobs; keeps its working memory.
+#[derive(Default)]
+pub struct Detector {
+    scratch: Scratch,
+    points: Vec<ContactPoint>,
+    triangles: Vec<u32>,
+    queries: Vec<Query>,
+    asked_for: Vec<u32>,
+    answers: Vec<Option<Answer>>,
+    /// Points of the last run, ordered by job.
+    pub found: Vec<Found>,
+}
+
+impl Detector {
+    /// Answer all jobs into `self.found`.
+    ///
+    /// # Errors
+    /// The oracle's message.
+    pub fn run(
+        &mut self,
+        geoms: &[Geom],
+        jobs: &[Job],
+        fcl_only: bool,
+        oracle: &mut dyn Oracle,
+    ) -> Result<(), String> {
+        self.found.clear();
+        self.queries.clear();
+        self.asked_for.clear();
+        for (index, job) in (0u32..).zip(jobs) {
+            let shapes = (&geoms[job.geoms.0 as usize].shape, &geoms[job.geoms.1 as usize].shape);
+            self.points.clear();
+            let verdict = if fcl_only {
+                Verdict::AskFcl
+            } else {
+                let (a, b) = (&job.poses.0, &job.poses.1);
+                narrowphase::collide(shapes.0, a, shapes.1, b, job.margin, &mut self.scratch, &mut self.points)
+            };
+            match verdict {
+                Verdict::Answered => {
+                    self.found.extend(self.points.iter().map(|&point| Found { job: index, point }));
+                }
+                Verdict::AskFcl => self.enqueue(index, job, shapes),
+            }
+        }
+        if self.queries.is_empty() {
+            return Ok(());
+        }
+        self.consult(geoms, oracle)?;
+        // Sorted by job, the points of a job in the order in which they were found: the sort is stable.
+        self.found.sort_by_key(|f| f.job);
+        Ok(())
+    }
+
+    /// A mesh is asked for triangle by triangle: only there do depth and normal mean something.
+    fn enqueue(&mut self, index: u32, job: &Job, shapes: (&Shape, &Shape)) {
+        let query = Query {
+            geoms: job.geoms,
+            triangles: (-1, -1),
+            poses: job.poses,
+            margin: job.margin,
+        };
+        match shapes {
+            (Shape::Mesh(mesh), other) => {
+                let relative = job.poses.0.relative(&job.poses.1);
+                mesh.overlapping(&other.aabb(&relative).expanded(job.margin), &mut self.triangles);
+                for &t in &self.triangles {
+                    self.asked_for.push(index);
+                    self.queries.push(Query { triangles: (t as i32, -1), ..query });
+                }
+            }
+            (other, Shape::Mesh(mesh)) => {
+                let relative = job.poses.1.relative(&job.poses.0);
+                mesh.overlapping(&other.aabb(&relative).expanded(job.margin), &mut self.triangles);
+                for &t in &self.triangles {
+                    self.asked_for.push(index);
+                    self.queries.push(Query { triangles: (-1, t as i32), ..query });
+                }
+            }
+            _ => {
+                self.asked_for.push(index);
+                self.queries.push(query);
+            }
+        }
+    }
+
+    /// Ask the oracle, and build whole manifolds from its normals.
+    fn consult(&mut self, geoms: &[Geom], oracle: &mut dyn Oracle) -> Result<(), String> {
+        self.answers.clear();
+        oracle.ask(&self.queries, &mut self.answers)?;
+        if self.answers.len() != self.queries.len() {
+            return Err("FCL answered another number of pairs than it was asked".into());
+        }
+        for ((query, answer), &job) in self.queries.iter().zip(&self.answers).zip(&self.asked_for) {
+            let Some(answer) = answer else { continue };
+            let (a, b) = query.geoms;
+            self.points.clear();
+            narrowphase::manifold(
+                &part(&geoms[a as usize].shape, query.triangles.0),
+                &query.poses.0,
+                &part(&geoms[b as usize].shape, query.triangles.1),
+                &query.poses.1,
+                answer.normal,
+                answer.position,
+                query.margin,
+                &mut self.scratch,
+                &mut self.points,
+            );
+            self.found.extend(self.points.iter().map(|&point| Found { job, point }));
+        }
+        Ok(())
+    }
+}
+
+/// The shape itself, or one triangle of an exact mesh.
+fn part(shape: &Shape, triangle: i32) -> Shape {
+    match (shape, u32::try_from(triangle)) {
+        (Shape::Mesh(mesh), Ok(t)) => Shape::Triangle(mesh.corners(t)),
+        _ => shape.clone(),
+    }
+}

@@ -1,0 +1,246 @@
+//! One contact point: its geometry, its effective mass, its coefficients and the impulses that act in it.
+
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::body::Body;
+use crate::math::tangents;
+use crate::model::{Coefficients, Geom};
+use crate::narrowphase::ContactPoint;
+
+/// Friction of a contact in the solve at hand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Friction {
+    /// Holds up to mu_s times the normal impulse.
+    Static,
+    /// At most (while it still slides: exactly) mu_k times the normal impulse.
+    Kinetic,
+}
+
+/// A contact point between bodies A and B; all vectors in world axes, the normal from B to A.
+#[derive(Clone, Debug)]
+pub struct Contact {
+    /// Geoms in contact.
+    pub geoms: (u32, u32),
+    /// Bodies in contact.
+    pub bodies: (usize, usize),
+    /// Materials in contact.
+    pub materials: (usize, usize),
+    /// Midway between the surfaces [m].
+    pub position: DVec3,
+    /// From B to A.
+    pub normal: DVec3,
+    /// First tangent; the two tangents are the axes in which the tangential effective mass is diagonal.
+    pub tangent_1: DVec3,
+    /// Second tangent.
+    pub tangent_2: DVec3,
+    /// Gap at the start of the step along the bodies' paths without impulses [m]; negative where they overlap.
+    pub gap: f64,
+    /// Instant within the step at which position and normal hold [s].
+    pub instant: f64,
+    /// Arms from the centres of mass [m].
+    pub arms: (DVec3, DVec3),
+    /// K of the normal [1/kg].
+    pub k_normal: f64,
+    /// What a normal impulse does to the two tangential velocities [1/kg].
+    pub k_coupling: (f64, f64),
+    /// K of the tangents [1/kg].
+    pub k_tangent: (f64, f64),
+    /// Of the two materials.
+    pub coefficients: Coefficients,
+    /// Friction in the solve at hand.
+    pub friction: Friction,
+    /// Normal velocity that the solve at hand aims at [m/s].
+    pub target: f64,
+    /// Impulse of the solve at hand: normal, tangent 1, tangent 2 [N s].
+    pub impulse: DVec3,
+    /// Impulse of this step's impacts, in world axes [N s].
+    pub impact_impulse: DVec3,
+    /// Relative velocity at the start of the step [m/s].
+    pub velocity_before: DVec3,
+    /// Relative velocity at the end of the step [m/s].
+    pub velocity_after: DVec3,
+    /// The contact slid at the end of the step.
+    pub sliding: bool,
+}
+
+/// Relative velocity v_A + omega_A x r_A - v_B - omega_B x r_B [m/s].
+#[must_use]
+pub fn relative_velocity(bodies: &[Body], pair: (usize, usize), arms: (DVec3, DVec3)) -> DVec3 {
+    bodies[pair.0].velocity_at(arms.0) - bodies[pair.1].velocity_at(arms.1)
+}
+
+/// K d: the relative velocity that a unit impulse along `d` gives,
+/// (1/m_A + 1/m_B) d + (I_A^-1 (r_A x d)) x r_A + (I_B^-1 (r_B x d)) x r_B.
+fn response(a: &Body, b: &Body, arms: (DVec3, DVec3), d: DVec3) -> DVec3 {
+    let turn = |body: &Body, r: DVec3| (body.inverse_inertia * r.cross(d)).cross(r);
+    d * (a.mass.inverse_mass + b.mass.inverse_mass) + turn(a, arms.0) + turn(b, arms.1)
+}
+
+impl Contact {
+    /// Set up a contact at a point found by the narrow phase, with both bodies at `centres`.
+    #[must_use]
+    pub fn new(
+        geoms: (u32, u32),
+        pair: (&Geom, &Geom),
+        bodies: &[Body],
+        centres: (DVec3, DVec3),
+        coefficients: Coefficients,
+        point: &ContactPoint,
+    ) -> Self {
+        let indices = (pair.0.body, pair.1.body);
+        let (a, b) = (&bodies[indices.0], &bodies[indices.1]);
+        let arms = (point.position - centres.0, point.position - centres.1);
+        let k_n = response(a, b, arms, point.normal);
+        let (tangent_1, tangent_2, k_tangent) = principal_tangents(a, b, arms, point.normal);
+        Self {
+            geoms,
+            bodies: indices,
+            materials: (pair.0.material, pair.1.material),
+            position: point.position,
+            normal: point.normal,
+            tangent_1,
+            tangent_2,
+            gap: -point.depth,
+            instant: 0.0,
+            arms,
+            k_normal: k_n.dot(point.normal),
+            k_coupling: (k_n.dot(tangent_1), k_n.dot(tangent_2)),
+            k_tangent,
+            coefficients,
+            friction: Friction::Static,
+            target: 0.0,
+            impulse: DVec3::ZERO,
+            impact_impulse: DVec3::ZERO,
+            velocity_before: relative_velocity(bodies, indices, arms),
+            velocity_after: DVec3::ZERO,
+            sliding: false,
+        }
+    }
+
+    /// World vector of an impulse given along normal and tangents.
+    #[must_use]
+    pub fn to_world(&self, impulse: DVec3) -> DVec3 {
+        self.normal * impulse.x + self.tangent_1 * impulse.y + self.tangent_2 * impulse.z
+    }
+
+    /// Components of a world vector along normal and tangents.
+    #[must_use]
+    pub fn to_local(&self, vector: DVec3) -> DVec3 {
+        DVec3::new(
+            vector.dot(self.normal),
+            vector.dot(self.tangent_1),
+            vector.dot(self.tangent_2),
+        )
+    }
+
+    /// Relative velocity now, along normal and tangents [m/s].
+    #[must_use]
+    pub fn velocity(&self, bodies: &[Body]) -> DVec3 {
+        self.to_local(relative_velocity(bodies, self.bodies, self.arms))
+    }
+
+    /// Tangential part of all impulses of the step, in world axes [N s].
+    #[must_use]
+    pub fn tangential_impulse(&self) -> DVec3 {
+        let total = self.to_world(self.impulse) + self.impact_impulse;
+        total - self.normal * total.dot(self.normal)
+    }
+
+    /// Choose the friction of the next solve by the slip at its start.
+    pub fn choose_friction(&mut self, velocity: DVec3, slip_speed: f64) {
+        let slip = velocity.y.hypot(velocity.z);
+        self.friction = if slip < slip_speed {
+            Friction::Static
+        } else {
+            Friction::Kinetic
+        };
+    }
+
+    /// Apply an impulse, given along normal and tangents, to both bodies.
+    pub fn apply(&self, bodies: &mut [Body], impulse: DVec3) {
+        let p = self.to_world(impulse);
+        bodies[self.bodies.0].apply_impulse(p, self.arms.0);
+        bodies[self.bodies.1].apply_impulse(-p, self.arms.1);
+    }
+}
+
+/// Tangents that diagonalise the tangential part of K, so that the friction disc can be solved in closed form.
+fn principal_tangents(
+    a: &Body,
+    b: &Body,
+    arms: (DVec3, DVec3),
+    normal: DVec3,
+) -> (DVec3, DVec3, (f64, f64)) {
+    let (u, w) = tangents(normal);
+    let (ku, kw) = (response(a, b, arms, u), response(a, b, arms, w));
+    let (uu, uw, ww) = (ku.dot(u), ku.dot(w), kw.dot(w));
+    let half = 0.5 * (uu - ww);
+    let radius = (half * half + uw * uw).sqrt();
+    if radius <= 1e-9 * (uu + ww) {
+        return (u, w, (uu, ww));
+    }
+    // Eigenvector of the greater eigenvalue; of the two forms the one without cancellation.
+    let e = if half >= 0.0 {
+        u * (radius + half) + w * uw
+    } else {
+        u * uw + w * (radius - half)
+    }
+    .normalize();
+    let middle = 0.5 * (uu + ww);
+    (e, normal.cross(e), (middle + radius, middle - radius))
+}
+
+/// What a contact leaves to the next step: where it was on body A, and its impulse.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Remembered {
+    geoms: (u32, u32),
+    place: DVec3,
+    impulse: DVec3,
+}
+
+/// Contacts of the last step, for the warm start. Sorted by geoms, as contacts are.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Memory {
+    points: Vec<Remembered>,
+}
+
+impl Memory {
+    /// Keep the impulses of these contacts.
+    pub fn store(&mut self, contacts: &[Contact], bodies: &[Body]) {
+        self.points.clear();
+        self.points.extend(contacts.iter().map(|c| Remembered {
+            geoms: c.geoms,
+            place: bodies[c.bodies.0].rotation.transpose() * c.arms.0,
+            impulse: c.to_world(c.impulse),
+        }));
+    }
+
+    /// Start every contact from the impulse of the nearest point of the same geoms in the step before, each point
+    /// used once. Points farther apart than `radius` of a geom pair are strangers.
+    pub fn recall(&mut self, contacts: &mut [Contact], bodies: &[Body], radius: &[f64]) {
+        let mut from = 0;
+        for contact in contacts.iter_mut() {
+            while self.points.get(from).is_some_and(|p| p.geoms < contact.geoms) {
+                from += 1;
+            }
+            let place = bodies[contact.bodies.0].rotation.transpose() * contact.arms.0;
+            let limit = radius[contact.geoms.0 as usize].min(radius[contact.geoms.1 as usize]);
+            let mut best = (limit * limit, usize::MAX);
+            for (k, point) in self.points[from..].iter().enumerate() {
+                if point.geoms != contact.geoms {
+                    break;
+                }
+                let distance = (point.place - place).length_squared();
+                if distance < best.0 {
+                    best = (distance, from + k);
+                }
+            }
+            if let Some(point) = self.points.get_mut(best.1) {
+                contact.impulse = contact.to_local(point.impulse);
+                contact.impulse.x = contact.impulse.x.max(0.0);
+                point.place = DVec3::INFINITY;
+            }
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! Where every joule went.
+//!
+//! An impulse J on a set of contacts changes the kinetic energy by exactly the sum of J . (u_before + u_after) / 2 over
+//! the contacts, with u the relative velocity before and after all impulses of that set: the kinetic energy is a
+//! quadratic form, so its difference is the momentum change times the mean velocity. Nothing else in the books needs an
+//! approximation; what the integrator itself adds or takes shows as `residual`.
+
+use serde::{Deserialize, Serialize};
+
+/// Running sums since the start [J]; losses are positive when energy was lost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Ledger {
+    /// Into friction.
+    pub lost_friction: f64,
+    /// Into impacts and the normal part of contacts.
+    pub lost_impact: f64,
+    /// Added by moving overlapping bodies apart.
+    pub stabilization: f64,
+    /// Total energy at the start.
+    pub initial: f64,
+}
+
+impl Ledger {
+    /// Book an impulse: normal and tangential parts times the mean velocities, both as seen in the contact.
+    pub fn book(&mut self, normal_work: f64, tangential_work: f64) {
+        self.lost_impact -= normal_work;
+        self.lost_friction -= tangential_work;
+    }
+}
+
+/// Energies at one instant and the books up to it [J].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energies {
+    /// Sum of m v^2 / 2.
+    pub kinetic_translational: f64,
+    /// Sum of omega . L / 2.
+    pub kinetic_rotational: f64,
+    /// -Sum of m g . x, zero at the origin.
+    pub gravitational: f64,
+    /// The books.
+    pub ledger: Ledger,
+}
+
+impl Energies {
+    /// Kinetic and potential energy together.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.kinetic_translational + self.kinetic_rotational + self.gravitational
+    }
+
+    /// What the books do not explain.
+    #[must_use]
+    pub fn residual(&self) -> f64 {
+        let l = &self.ledger;
+        self.total() - l.initial - l.stabilization + l.lost_friction + l.lost_impact
+    }
+}

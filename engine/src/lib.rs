@@ -1,0 +1,22 @@
+//! Everything inside a step of physsim: plain arrays in, plain arrays out.
+//!
+//! Read `world.rs` first: its `step` names every stage in order.
+
+pub mod approach;
+pub mod body;
+pub mod broadphase;
+pub mod collide;
+pub mod contact;
+pub mod impact;
+pub mod integrator;
+pub mod ledger;
+pub mod math;
+pub mod model;
+pub mod narrowphase;
+pub mod position;
+pub mod shape;
+pub mod solver;
+pub mod world;
+
+#[cfg(feature = "python")]
+mod python;
