@@ -97,6 +97,11 @@ def values(annotation: Any, metadata: list[Any]) -> list[str]:
             return [f"{mark.kind.unit or 'number'}{span(mark.bounds)}"]
         if isinstance(mark, Whole):
             return [f"whole number{span(Bounds(at_least=mark.at_least, at_most=mark.at_most))}"]
+    return unmarked(annotation)
+
+
+def unmarked(annotation: Any) -> list[str]:
+    """What may stand there, of a type that carries no unit and no bounds itself."""
     origin, parts = get_origin(annotation), get_args(annotation)
     if origin is Literal:
         return [f"`{word}`" for word in parts]
@@ -104,11 +109,8 @@ def values(annotation: Any, metadata: list[Any]) -> list[str]:
         return [listed(parts)]
     if origin is dict:
         return [f"names, each with {' or '.join(values(parts[1], []))}"]
-    if parts:
-        return list(
-            dict.fromkeys(word for part in parts if part is not type(None) for word in values(part, []))
-        )
-    return [plain(annotation)]
+    inner = [word for part in parts if part is not type(None) for word in values(part, [])]
+    return list(dict.fromkeys(inner)) or [plain(annotation)]
 
 
 def listed(parts: tuple[Any, ...]) -> str:

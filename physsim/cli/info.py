@@ -20,7 +20,9 @@ HEAD_BYTES = 4096
     arguments=[("FILE", "a scene (YAML) or a trajectory (HDF5); told apart by content, not by name")],
     examples=[
         Example("masses, inertias, pairs of materials, overlaps at the start", "physsim info my_scene.yaml"),
-        Example("what a change would do to them", "physsim info my_scene.yaml --set bodies.crate.mass='3 kg'"),
+        Example(
+            "what a change would do to them", "physsim info my_scene.yaml --set bodies.crate.mass='3 kg'"
+        ),
         Example("how far a run came, and its energy", "physsim info my_scene.h5"),
         Example(
             "the mass of one body, for a program",

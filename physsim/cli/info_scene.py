@@ -43,9 +43,23 @@ def show(file: str, overrides: Sequence[str], as_json: bool) -> None:
 def scene_facts(scene: Scene, model: Model) -> Facts:
     """Title, times and method."""
     simulation = model.spec.simulation
-    names = ("duration", "timestep", "steps", "integrator", "impacts", "collision", "iterations", "stabilization")
+    names = (
+        "duration",
+        "timestep",
+        "steps",
+        "integrator",
+        "impacts",
+        "collision",
+        "iterations",
+        "stabilization",
+    )
     chosen = {name: getattr(simulation, name) for name in names}
-    return {"title": scene.title, **chosen, "record_every": model.spec.record.every, "meshes": dict(model.mesh_sha256)}
+    return {
+        "title": scene.title,
+        **chosen,
+        "record_every": model.spec.record.every,
+        "meshes": dict(model.mesh_sha256),
+    }
 
 
 def body_facts(model: Model, index: int) -> Facts:
@@ -90,7 +104,9 @@ def as_text(facts: Facts) -> str:
         f"{len(facts['bodies'])} bodies; {scene['duration']:g} s in {scene['steps']} steps of "
         f"{scene['timestep']:g} s, {scene['integrator']}; a frame every {scene['record_every']:g} s"
     )
-    return "\n\n".join([head, bodies_text(facts["bodies"]), pairs_text(facts["pairs"]), overlaps_text(facts["overlaps"])])
+    return "\n\n".join(
+        [head, bodies_text(facts["bodies"]), pairs_text(facts["pairs"]), overlaps_text(facts["overlaps"])]
+    )
 
 
 def bodies_text(bodies: Sequence[Facts]) -> str:
@@ -107,13 +123,21 @@ def bodies_text(bodies: Sequence[Facts]) -> str:
         for body in bodies
     ]
     inertias = [
-        [body["name"], vector(body["principal_moments"]), "; ".join(vector(axis, 3) for axis in body["principal_axes"])]
+        [
+            body["name"],
+            vector(body["principal_moments"]),
+            "; ".join(vector(axis, 3) for axis in body["principal_axes"]),
+        ]
         for body in bodies
         if body["principal_axes"] is not None
     ]
     return "\n\n".join(
         [
-            table(("body", "", "material", "mass [kg]", "centre of mass [m]", "mass and inertia by"), masses, right=(3,)),
+            table(
+                ("body", "", "material", "mass [kg]", "centre of mass [m]", "mass and inertia by"),
+                masses,
+                right=(3,),
+            ),
             table(("body", "principal moments [kg m^2]", "principal axes (body axes)"), inertias),
         ]
     )
@@ -138,5 +162,8 @@ def overlaps_text(overlaps: Sequence[Facts]) -> str:
     """Bodies that overlap at the start, deepest first."""
     if not overlaps:
         return "No bodies overlap at the start."
-    rows = [[" - ".join(overlap["between"]), number(overlap["depth"]), vector(overlap["position"])] for overlap in overlaps]
+    rows = [
+        [" - ".join(overlap["between"]), number(overlap["depth"]), vector(overlap["position"])]
+        for overlap in overlaps
+    ]
     return table(("overlap at the start", "depth [m]", "at [m]"), rows, right=(1,))

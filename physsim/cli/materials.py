@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from click.shell_completion import CompletionItem
 from physsim.cli import output
 from physsim.cli.table import number, table
 from physsim.cli.verb import Example, Verb, debug_option, json_option
-from physsim.materials import NUMBERS, library
+from physsim.materials import NUMBERS, UnknownPair, library, resolve_pair
 
 if TYPE_CHECKING:
     from physsim.materials import ResolvedPair
@@ -113,21 +114,47 @@ def show_pairs(names: Sequence[str], as_json: bool) -> None:
     """What holds between each two of the names in a scene that declares nothing."""
     resolved = [resolve(a, b) for a, b in combinations(names, 2)]
     if as_json:
-        output.document("materials", 0, pairs=[resolved_data(pair) for pair in resolved])
+        output.document("materials", 0, pairs=[resolved_data(*pair) for pair in resolved])
         return
-    for pair in resolved:
+    for pair, missing in resolved:
         output.result(click.style(" - ".join(pair.between), bold=True))
         for name in NUMBERS:
-            value = getattr(pair, name)
-            output.result(f"  {name}: {number(value.value)}\n    {value.source}")
+            known = getattr(pair, name)
+            told = (
+                f"not known: {missing[name]}"
+                if name in missing
+                else f"{number(known.value)}\n    {known.source}"
+            )
+            output.result(f"  {name}: {told}")
 
 
-def resolve(a: str, b: str) -> ResolvedPair:
-    """The pair under the scene language's default mixing rules; raises UnknownPair."""
-    from physsim.materials import resolve_pair
+@dataclass(frozen=True)
+class StandIn:
+    """A row of pairs for numbers that nobody knows, so that the others can be resolved unchanged."""
+
+    between: tuple[str, str]
+    restitution: float | None
+    static_friction: float | None
+    kinetic_friction: float | None
+
+    @classmethod
+    def of(cls, unknown: UnknownPair) -> StandIn:
+        """Friction is put where it stays in order: static above, kinetic below whatever the other may be."""
+        harmless = {"restitution": 0.0, "static_friction": math.inf, "kinetic_friction": 0.0}
+        return cls(
+            unknown.between, *(harmless[name] if name in unknown.missing else None for name in NUMBERS)
+        )
+
+
+def resolve(a: str, b: str) -> tuple[ResolvedPair, dict[str, str]]:
+    """The pair under the scene language's default mixing rules, and why a number of it is not known."""
     from physsim.scene import MixingSpec
 
-    return resolve_pair(a, b, {}, (), MixingSpec())
+    mixing = MixingSpec()
+    try:
+        return resolve_pair(a, b, {}, (), mixing), {}
+    except UnknownPair as unknown:
+        return resolve_pair(a, b, {}, (StandIn.of(unknown),), mixing), unknown.missing
 
 
 def material_row(material: Material) -> list[str]:
@@ -158,10 +185,12 @@ def number_lines(name: str, value: Number | None) -> str:
     return "\n    ".join([f"  {name}: {value.value:g}{UNITS.get(name, '')}{spread}", *below, *value.sources])
 
 
-def resolved_data(pair: ResolvedPair) -> dict[str, Any]:
-    """A resolved pair for the JSON document: each number with its source."""
-    numbers = {name: getattr(pair, name) for name in NUMBERS}
-    return {
-        "between": list(pair.between),
-        **{name: {"value": value.value, "source": value.source} for name, value in numbers.items()},
+def resolved_data(pair: ResolvedPair, missing: dict[str, str]) -> dict[str, Any]:
+    """A resolved pair for the JSON document: each number with its source, or null and why."""
+    numbers = {
+        name: {"value": None, "source": None, "missing": missing[name]}
+        if name in missing
+        else {"value": getattr(pair, name).value, "source": getattr(pair, name).source, "missing": None}
+        for name in NUMBERS
     }
+    return {"between": list(pair.between), **numbers}

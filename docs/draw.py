@@ -1,0 +1,211 @@
+"""Draws frames of a trajectory side by side into a PNG, with numpy alone: the pictures of these pages.
+
+    python docs/draw.py SCENE.yaml TRAJECTORY.h5 PICTURE.png TIME [TIME ...]
+
+A small z-buffer over triangles, on a floor at z = 0, with soft shadows on the floor.
+"""
+
+from __future__ import annotations
+
+import struct
+import sys
+import zlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import trimesh
+
+import physsim
+from physsim.model import rotation
+
+Array = Any
+WIDTH, HEIGHT, SMOOTHING = 480, 400, 2
+SKY, FLOOR, LINE = np.array([0.93, 0.95, 0.97]), np.array([0.80, 0.81, 0.80]), np.array([0.70, 0.71, 0.71])
+PALETTE = np.array(
+    [
+        [0.36, 0.54, 0.66],
+        [0.78, 0.47, 0.28],
+        [0.47, 0.62, 0.38],
+        [0.80, 0.66, 0.30],
+        [0.58, 0.45, 0.60],
+        [0.45, 0.48, 0.52],
+    ]
+)
+SUN = np.array([0.45, -0.55, 1.0]) / np.linalg.norm([0.45, -0.55, 1.0])
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Eye, unit axes (right, up, forward), and `focus`, the focal length over half the picture's height."""
+
+    eye: Array
+    axes: Array
+    focus: float
+
+    @classmethod
+    def looking_at(cls, target: Array, size: float) -> Camera:
+        """A view from the front right and above that holds `size` metres around `target`."""
+        forward = np.array([-0.55, 0.75, -0.42])
+        forward /= np.linalg.norm(forward)
+        right = np.cross(forward, [0, 0, 1])
+        right /= np.linalg.norm(right)
+        return cls(target - 3.2 * size * forward, np.array([right, np.cross(right, forward), forward]), 4.6)
+
+    def pixels(self, points: Array) -> Array:
+        """Columns, rows and depths [m] (n, 3) of world points (n, 3)."""
+        seen = (points - self.eye) @ self.axes.T
+        half = HEIGHT * SMOOTHING / 2
+        scale = self.focus * half / seen[:, 2]
+        return np.column_stack(
+            [WIDTH * SMOOTHING / 2 + scale * seen[:, 0], half - scale * seen[:, 1], seen[:, 2]]
+        )
+
+    def floor_points(self) -> Array:
+        """Where the ray of each pixel meets z = 0, (rows, columns, 2); NaN above the horizon."""
+        half = HEIGHT * SMOOTHING / 2
+        rows, columns = np.mgrid[0 : HEIGHT * SMOOTHING, 0 : WIDTH * SMOOTHING] + 0.5
+        local = np.stack(
+            [columns - WIDTH * SMOOTHING / 2, half - rows, np.full(rows.shape, self.focus * half)], axis=-1
+        )
+        rays = local @ self.axes
+        distance = np.where(rays[..., 2] < 0, -self.eye[2] / rays[..., 2], np.nan)
+        return (self.eye + distance[..., None] * rays)[..., :2]
+
+
+def triangles_of(shape: Any, scene: Any) -> Array:
+    """Triangles (n, 3, 3) [m] of a shape in the body's own frame."""
+    if shape.type == "compound":
+        return np.concatenate([placed_part(part, scene) for part in shape.parts])
+    makers = {
+        "mesh": lambda: mesh_of(shape, scene),
+        "sphere": lambda: trimesh.creation.icosphere(subdivisions=3, radius=shape.radius),
+        "box": lambda: trimesh.creation.box(extents=shape.size),
+        "cylinder": lambda: trimesh.creation.cylinder(radius=shape.radius, height=shape.height, sections=48),
+        "capsule": lambda: trimesh.creation.capsule(radius=shape.radius, height=shape.height),
+    }
+    return np.array(makers[shape.type]().triangles)
+
+
+def placed_part(part: Any, scene: Any) -> Array:
+    """Triangles of one part of a compound in the body's frame."""
+    return (
+        triangles_of(part.shape, scene) @ rotation.matrix(np.array(part.orientation.as_quaternion())).T
+        + part.position
+    )
+
+
+def mesh_of(shape: Any, scene: Any) -> Any:
+    """The mesh file at its scale."""
+    mesh = trimesh.load(scene.resolve_file(shape.file), force="mesh")
+    mesh.apply_scale(shape.scale)
+    return mesh
+
+
+def fill(pixels: Array, depth: Array, paint: Array | None, colour: Array) -> None:
+    """Put a triangle (3, 3) of columns, rows, depths into the depth buffer, and its colour where nearest."""
+    low = np.maximum(np.floor(pixels[:, :2].min(axis=0)).astype(int), 0)
+    high = np.minimum(np.ceil(pixels[:, :2].max(axis=0)).astype(int) + 1, [depth.shape[1], depth.shape[0]])
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = pixels
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    if (low >= high).any() or abs(area) < 1e-9:
+        return
+    x, y = np.arange(low[0], high[0]) + 0.5, (np.arange(low[1], high[1]) + 0.5)[:, None]
+    v = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
+    w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
+    z = 1 / ((1 - v - w) / az + v / bz + w / cz)
+    window = np.s_[low[1] : high[1], low[0] : high[0]]
+    nearer = (v >= 0) & (w >= 0) & (v + w <= 1) & (z < depth[window])
+    depth[window][nearer] = z[nearer]
+    if paint is not None:
+        paint[window][nearer] = colour
+
+
+def shadow(triangles: Array, camera: Camera) -> Array:
+    """How much of the sun each floor pixel misses, 0 to 1; the sun has some breadth."""
+    missing = np.zeros((HEIGHT * SMOOTHING, WIDTH * SMOOTHING))
+    directions = [SUN + 0.07 * np.array([np.cos(a), np.sin(a), 0]) for a in np.arange(6) * np.pi / 3]
+    for direction in directions:
+        covered = np.full(missing.shape, np.inf)
+        cast = triangles - triangles[..., 2:] / direction[2] * direction
+        for corners in camera.pixels(cast.reshape(-1, 3)).reshape(-1, 3, 3):
+            fill(corners, covered, None, SKY)
+        missing += np.isfinite(covered) / len(directions)
+    return missing
+
+
+def floor_picture(camera: Camera, spacing: float) -> Array:
+    """Sky, and a floor with lines every `spacing` metres that fade into the distance."""
+    points = camera.floor_points()
+    off_line = np.abs(points / spacing - np.round(points / spacing)).min(axis=-1) * spacing
+    distance = np.linalg.norm(points - camera.eye[:2], axis=-1)
+    fading = np.exp(-distance / (4 * np.linalg.norm(camera.eye)))[..., None]
+    floor = np.where((off_line < 0.01 * spacing)[..., None], LINE, FLOOR)
+    return np.where(np.isnan(distance)[..., None], SKY, fading * floor + (1 - fading) * SKY)
+
+
+def picture(bodies: list[Array], colours: Array, camera: Camera, spacing: float) -> Array:
+    """Bodies as world triangles, their colours: an image (HEIGHT, WIDTH, 3) from 0 to 1."""
+    everything = np.concatenate(bodies)
+    image = floor_picture(camera, spacing) * (1 - 0.45 * shadow(everything, camera))[..., None]
+    depth = np.full(image.shape[:2], np.inf)
+    for triangles, colour in zip(bodies, colours, strict=True):
+        normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+        normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
+        light = 0.45 + 0.15 * normals[:, 2] + 0.5 * np.clip(normals @ SUN, 0, None)
+        facing = np.einsum("ij,ij->i", normals, triangles[:, 0] - camera.eye) < 0
+        for corners, brightness in zip(
+            camera.pixels(triangles[facing].reshape(-1, 3)).reshape(-1, 3, 3), light[facing], strict=True
+        ):
+            fill(corners, depth, image, np.clip(colour * brightness, 0, 1))
+    return image.reshape(HEIGHT, SMOOTHING, WIDTH, SMOOTHING, 3).mean(axis=(1, 3))
+
+
+def write_png(path: Path, image: Array) -> None:
+    """An image (rows, columns, 3) from 0 to 1 as an 8-bit PNG (ISO/IEC 15948)."""
+    pixels = np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
+    rows = b"".join(b"\0" + row.tobytes() for row in pixels)
+
+    def chunk(name: bytes, content: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(content)) + name + content + struct.pack(">I", zlib.crc32(name + content))
+        )
+
+    header = struct.pack(">IIBBBBB", pixels.shape[1], pixels.shape[0], 8, 2, 0, 0, 0)
+    signature = b"\x89PNG\r\n\x1a\n"
+    path.write_bytes(
+        signature + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b"")
+    )
+
+
+def main() -> None:
+    """Draw the frames nearest to the given times, one beside the other."""
+    scene_file, trajectory_file, target, *times = sys.argv[1:]
+    scene = physsim.load(scene_file)
+    moving = {name: body for name, body in scene.bodies.items() if not body.fixed}
+    shapes = [triangles_of(body.shape, scene) for body in moving.values()]
+    families = {name.partition("[")[0]: None for name in moving}
+    colours = np.array(
+        [PALETTE[list(families).index(name.partition("[")[0]) % len(PALETTE)] for name in moving]
+    )
+    panels = []
+    with physsim.open_trajectory(trajectory_file) as trajectory:
+        clock = np.asarray(trajectory.time)
+        frames = [int(np.abs(clock - float(time)).argmin()) for time in times]
+        columns = [list(trajectory.body_names).index(name) for name in moving]
+        positions = np.asarray(trajectory.position[:])[:, columns]
+        turned = np.asarray(trajectory.orientation[:])[:, columns]
+    size = np.ptp(positions[frames[-1]], axis=0).max() / 2
+    camera = Camera.looking_at(positions[frames[-1]].mean(axis=0) + np.array([0, 0, size / 2]), size)
+    for frame in frames:
+        bodies = [
+            shape @ rotation.matrix(q).T + p
+            for shape, q, p in zip(shapes, turned[frame], positions[frame], strict=True)
+        ]
+        panels.append(picture(bodies, colours, camera, spacing=size / 2))
+    write_png(Path(target), np.concatenate(panels, axis=1))
+
+
+if __name__ == "__main__":
+    main()
