@@ -1,0 +1,19 @@
+"""The trajectory file: its layout, the recorder that writes it, and the trajectory that reads it."""
+
+from physsim.recording.layout import recorded
+from physsim.recording.reader import BodyTrack, NotInFile, Trajectory, open_trajectory
+from physsim.recording.series import Series, Table
+from physsim.recording.target import Target
+from physsim.recording.writer import Recorder
+
+__all__ = [
+    "BodyTrack",
+    "NotInFile",
+    "Recorder",
+    "Series",
+    "Table",
+    "Target",
+    "Trajectory",
+    "open_trajectory",
+    "recorded",
+]

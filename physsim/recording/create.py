@@ -1,0 +1,143 @@
+"""A new trajectory file: datasets, axes and labels from the table in `layout`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from physsim.errors import FileTrouble
+from physsim.recording import layout
+from physsim.recording.layout import Column
+from physsim.recording.target import plain
+
+# HDF5 1.8 and later read this; "latest" would be read by HDF5 2.0 only.
+LIBVER = ("earliest", "v110")
+# One chunk of a per-body dataset: at most this many bodies, and as many frames as fit.
+CHUNK_BODIES = 64
+CHUNK_BYTES = 192 * 1024
+CHUNK_FRAMES = (64, 1024)
+CHUNK_ROWS = 1024
+SMALL_CHUNK_FRAMES = 256
+
+# netCDF's own words for an axis that has a length but no labels.
+_BARE_AXIS = "This is a netCDF dimension but not a netCDF variable."
+_NUMPY_KINDS = {"f8": np.float64, "i8": np.int64, "i4": np.int32, "i1": np.int8, "u1": np.uint8}
+
+
+def create_file(
+    path: Path, columns: tuple[Column, ...], attributes: Mapping[str, Any], values: Mapping[str, Any]
+) -> h5py.File:
+    """Creates `path` with every dataset of `columns`, fixed ones filled from `values` (by path), growing
+    ones empty.
+
+    `attributes` go to the root. Freed room in the file is never used again ("none"): a chunk that is
+    written anew does not overwrite what the file on disk still points to, so a kill between two writes
+    loses nothing. Raises FileTrouble when the file cannot be made.
+    """
+    try:
+        file = h5py.File(path, "w", libver=LIBVER, fs_strategy="none", locking="best-effort")
+    except (OSError, RuntimeError) as error:
+        raise FileTrouble(f"{path}: cannot be written: {plain(error)}") from error
+    _set_attributes(file, attributes)
+    sizes = _sizes(columns, values)
+    for column in columns:
+        _create_dataset(file, column, sizes, values)
+    _create_bare_axes(file, columns, sizes)
+    for column in columns:
+        _attach_axes(file, column)
+    return file
+
+
+def block_frames(bodies: int) -> int:
+    """Frames per chunk, and per block between two flushes: a power of two."""
+    row_bytes = 4 * 8 * min(max(bodies, 1), CHUNK_BODIES)
+    fitting = 1 << ((CHUNK_BYTES // row_bytes).bit_length() - 1)
+    return min(max(fitting, CHUNK_FRAMES[0]), CHUNK_FRAMES[1])
+
+
+def axis_dataset(file: h5py.File, group: str, dim: str) -> h5py.Dataset:
+    """The dimension scale of an axis: in the group itself, or else in the root."""
+    own = f"{group}/{dim}" if group else dim
+    return file[own] if own in file else file[dim]
+
+
+def _set_attributes(file: h5py.File, attributes: Mapping[str, Any]) -> None:
+    file.attrs["format"] = layout.FORMAT
+    file.attrs["format_version"] = np.int64(layout.FORMAT_VERSION)
+    file.attrs["Conventions"] = layout.CONVENTIONS
+    for name, value in attributes.items():
+        file.attrs[name] = value
+
+
+def _sizes(columns: tuple[Column, ...], values: Mapping[str, Any]) -> dict[str, int]:
+    sizes = {dim: len(labels) for dim, labels in layout.FIXED_AXES.items()}
+    for column in columns:
+        if column.is_scale and column.path in values:
+            sizes[column.name] = len(values[column.path])
+    return sizes
+
+
+def _create_dataset(
+    file: h5py.File, column: Column, sizes: Mapping[str, int], values: Mapping[str, Any]
+) -> None:
+    shape = tuple(sizes.get(dim, 0) for dim in column.dims)
+    options: dict[str, Any] = {}
+    if column.grows_along:
+        options = {
+            "maxshape": (None, *shape[1:]),
+            "chunks": _chunks(column, shape, sizes),
+            "compression": "gzip",
+            "compression_opts": 1,
+            "shuffle": True,
+        }
+    elif column.dims == ("byte",):
+        options = {"maxshape": (None,), "chunks": (1 << 16,)}
+    dataset = file.create_dataset(
+        column.path, shape=shape, dtype=_dtype(column), fillvalue=_missing(column), **options
+    )
+    dataset.attrs["units"] = column.units
+    dataset.attrs["long_name"] = column.description
+    if column.name in layout.FIXED_AXES and column.is_scale:
+        dataset[:] = list(layout.FIXED_AXES[column.name])
+    elif column.path in values and np.size(values[column.path]):
+        dataset[...] = values[column.path]
+
+
+def _dtype(column: Column) -> Any:
+    return h5py.string_dtype() if column.kind == "str" else _NUMPY_KINDS[column.kind]
+
+
+def _missing(column: Column) -> Any:
+    """What a reader finds where nothing was written: not a number, or -1, never a plausible 0."""
+    return {"f8": np.nan, "i8": -1, "i4": -1, "i1": -1}.get(column.kind)
+
+
+def _chunks(column: Column, shape: tuple[int, ...], sizes: Mapping[str, int]) -> tuple[int, ...]:
+    if column.grows_along != "time":
+        return (CHUNK_ROWS, *shape[1:])
+    frames = block_frames(sizes["body"])
+    if "body" not in column.dims:
+        return (max(frames, SMALL_CHUNK_FRAMES), *shape[1:])
+    return (frames, max(min(shape[1], CHUNK_BODIES), 1), *shape[2:])
+
+
+def _create_bare_axes(file: h5py.File, columns: tuple[Column, ...], sizes: Mapping[str, int]) -> None:
+    for group, dim in layout.bare_axes(columns):
+        axis = file.create_dataset(
+            f"{group}/{dim}", shape=(sizes.get(dim, 0),), maxshape=(None,), chunks=(1 << 16,), dtype=np.int8
+        )
+        axis.attrs["units"] = "1"
+        axis.make_scale(_BARE_AXIS)
+
+
+def _attach_axes(file: h5py.File, column: Column) -> None:
+    dataset = file[column.path]
+    if column.is_scale:
+        dataset.make_scale(column.name)
+        return
+    for index, dim in enumerate(column.dims):
+        dataset.dims[index].attach_scale(axis_dataset(file, column.group, dim))

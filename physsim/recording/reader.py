@@ -1,0 +1,356 @@
+"""Reading a trajectory: by body name, lazily, and never more than the file has whole."""
+
+from __future__ import annotations
+
+import difflib
+import time
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
+
+import h5py
+import numpy as np
+
+from physsim.errors import FileTrouble, PhyssimError
+from physsim.recording import layout
+from physsim.recording.layout import Column
+from physsim.recording.safe import (
+    Damaged,
+    dataset,
+    guarded,
+    number_attribute,
+    open_for_reading,
+    text_attribute,
+)
+from physsim.recording.series import Array, Series, Table, check_memory
+from physsim.recording.target import part_of
+
+if TYPE_CHECKING:
+    import xarray
+
+# A file that is being written can be caught between two writes: it is looked at again this often, so much
+# later.
+TRIES_WHILE_WRITTEN = 10
+SECONDS_BETWEEN_TRIES = 0.05
+
+
+class NotInFile(PhyssimError):
+    """The trajectory has no such body, frame, or recorded group."""
+
+    exit_code = 2
+
+
+def open_trajectory(path: str | Path) -> Trajectory:
+    """Opens a trajectory file for reading, also while its run is still writing or after it was killed.
+
+    When only `path`.part is there (a run that was to replace a file and was killed), that is opened.
+    Raises FileTrouble when the file is missing, damaged or no trajectory.
+    """
+    path = Path(path)
+    if not path.exists() and part_of(path).exists():
+        path = part_of(path)
+    for _ in range(TRIES_WHILE_WRITTEN - 1):
+        file, writing = open_for_reading(path)
+        try:
+            return Trajectory(path, file, writing)
+        except FileTrouble:
+            file.close()
+            if not writing:
+                raise
+        time.sleep(SECONDS_BETWEEN_TRIES)
+    file, writing = open_for_reading(path)
+    return Trajectory(path, file, writing)
+
+
+class BodyTrack:
+    """One body of a trajectory: `track.position[10:20]`, `track.mass`, ..."""
+
+    def __init__(self, trajectory: Trajectory, name: str) -> None:
+        self.name = name
+        self._trajectory = trajectory
+        self._index = trajectory.index_of(name)
+
+    @property
+    def position(self) -> Series:
+        """Of the body's own origin, (T, 3) m."""
+        return self._trajectory.series("position", self._index)
+
+    @property
+    def orientation(self) -> Series:
+        """Unit quaternion (w, x, y, z), body to world, (T, 4)."""
+        return self._trajectory.series("orientation", self._index)
+
+    @property
+    def velocity(self) -> Series:
+        """Of the centre of mass, (T, 3) m/s."""
+        return self._trajectory.series("velocity", self._index)
+
+    @property
+    def angular_velocity(self) -> Series:
+        """World axes, (T, 3) rad/s."""
+        return self._trajectory.series("angular_velocity", self._index)
+
+    @property
+    def mass(self) -> float:
+        """kg; infinite for a half-space."""
+        return float(self._trajectory.values("mass")[self._index])
+
+    @property
+    def inertia(self) -> Array:
+        """About the centre of mass, body axes, (3, 3) kg m2."""
+        return np.asarray(self._trajectory.values("inertia")[self._index])
+
+    @property
+    def center_of_mass(self) -> Array:
+        """From the body's origin, body axes, (3) m."""
+        return np.asarray(self._trajectory.values("center_of_mass")[self._index])
+
+    @property
+    def material(self) -> str:
+        return str(self._trajectory.values("material")[self._index])
+
+    @property
+    def fixed(self) -> bool:
+        return bool(self._trajectory.values("fixed")[self._index])
+
+
+class Trajectory:
+    """An open trajectory file. A context manager: `with open_trajectory("run.h5") as t: ...`
+
+    path: the file; frames: number of whole frames; status: running, complete, failed or interrupted;
+    status_detail: why it ended; being_written: whether its run is still alive; title, seed,
+    physsim_version: as in the scene that made it; body_names: in scene order.
+    """
+
+    def __init__(self, path: Path, file: h5py.File, being_written: bool = False) -> None:
+        self.path = path
+        self.being_written = being_written
+        self._file = file
+        self._datasets: dict[str, h5py.Dataset] = {}
+        self._values: dict[str, Array] = {}
+        with guarded(path):
+            self._read_attributes()
+            self._find_datasets()
+            self.frames = self._whole_frames()
+            self.body_names: tuple[str, ...] = tuple(str(name) for name in self.values("body"))
+            self._index = {name: index for index, name in enumerate(self.body_names)}
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Trajectory {self.path}: {len(self.body_names)} bodies, {self.frames} frames, {self.status}>"
+
+    def close(self) -> None:
+        self._file.close()
+
+    @property
+    def time(self) -> Array:
+        """(T) s."""
+        return self._over_time("time")
+
+    @property
+    def step(self) -> Array:
+        """(T) steps done."""
+        return self._over_time("step")
+
+    @property
+    def position(self) -> Series:
+        """Of every body's own origin, (T, N, 3) m."""
+        return self.series("position")
+
+    @property
+    def orientation(self) -> Series:
+        """Unit quaternions (w, x, y, z), body to world, (T, N, 4)."""
+        return self.series("orientation")
+
+    @property
+    def velocity(self) -> Series:
+        """Of the centres of mass, (T, N, 3) m/s."""
+        return self.series("velocity")
+
+    @property
+    def angular_velocity(self) -> Series:
+        """World axes, (T, N, 3) rad/s."""
+        return self.series("angular_velocity")
+
+    def body(self, name: str) -> BodyTrack:
+        """One body by name. Raises NotInFile with the nearest name."""
+        return BodyTrack(self, name)
+
+    def index_of(self, name: str) -> int:
+        """The row of a body. Raises NotInFile with the nearest name."""
+        if name in self._index:
+            return self._index[name]
+        near = difflib.get_close_matches(name, self.body_names, n=1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise NotInFile(f"{self.path}: has no body {name!r}{hint}")
+
+    def frame_at(self, moment: float) -> int:
+        """The frame nearest to a time [s]."""
+        return int(np.argmin(np.abs(self.time - moment)))
+
+    def contacts(self, frame: int | None = None) -> Table:
+        """The contact points of one frame, or of all: the columns of /contacts, bodies by name.
+
+        `pair` is the row of `pairs`. Frame 0 has none: no step has been done. Raises NotInFile when the run
+        did not record contacts, or for a frame past the end.
+        """
+        self._need_group("contacts")
+        if frame is None:
+            first, last = 0, self.frames
+        elif -self.frames <= frame < self.frames:
+            first = frame % self.frames
+            last = first + 1
+        else:
+            raise NotInFile(f"{self.path}: has no frame {frame}; it has {self.frames} frames")
+        with guarded(self.path):
+            start, stop = (int(self._datasets["contacts/offset"][row]) for row in (first, last))
+            return self._rows("contacts", start, stop, leave_out=("contacts/offset",))
+
+    @property
+    def events(self) -> Table:
+        """Every impact in the order of time: the columns of /events, bodies by name."""
+        with guarded(self.path):
+            count = min(self._datasets[column.path].shape[0] for column in _columns_of("events"))
+            times = self._datasets["events/time"][:count]
+            end = self.time[-1] if self.frames else -np.inf
+            return self._rows("events", 0, int(np.searchsorted(times, end, side="right")))
+
+    @property
+    def energy(self) -> Table:
+        """The columns of /energy, each (T) J. Raises NotInFile when the run did not record them."""
+        self._need_group("energy")
+        return self._table_over_time("energy")
+
+    @property
+    def momentum(self) -> Table:
+        """`linear` (T, 3) kg m/s, and `angular` about the world's origin (T, 3) kg m2/s."""
+        return self._table_over_time("momentum")
+
+    @property
+    def solver(self) -> Table:
+        """`residual` (T) m/s, `iterations` (T), `contact_count` (T)."""
+        return self._table_over_time("solver")
+
+    @property
+    def pairs(self) -> Table:
+        """The resolved coefficients of every pair of materials, with where each came from."""
+        return Table({column.name: self.values(column.path) for column in _columns_of("pairs")})
+
+    @property
+    def provenance(self) -> dict[str, Any]:
+        """Scene text, resolved scene, mesh hashes (JSON), versions (JSON), host, command and clock times."""
+        return {column.name: self.values(column.path)[()] for column in _columns_of("provenance")}
+
+    def series(self, path: str, body: int | None = None) -> Series:
+        """A dataset over time by its path in the file, of one body (by row) where it has a body axis."""
+        return Series(self.path, self._datasets[path], self.frames, layout.BY_PATH[path].units, body)
+
+    def values(self, path: str) -> Array:
+        """A dataset that does not change with time, whole, texts as str."""
+        if path not in self._values:
+            found = self._datasets[path]
+            with guarded(self.path):
+                text = layout.BY_PATH[path].kind == "str"
+                self._values[path] = np.asarray(found.asstr()[()] if text else found[()])
+        return self._values[path]
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The root of the file in memory, as `xarray.open_dataset(path)` gives it, but whole frames only.
+
+        Needs xarray (extra `analysis`).
+        """
+        import xarray  # noqa: PLC0415, optional and slow to import
+
+        variables = {}
+        for path, found in self._datasets.items():
+            column = layout.BY_PATH[path]
+            if column.group or column.kind == "u1":
+                continue
+            data = self.series(path)[:] if "time" in column.dims else self.values(path)
+            attributes = {"units": column.units, "long_name": column.description}
+            variables[column.name] = (column.dims, data, attributes)
+            check_memory(self.path, found.size * found.dtype.itemsize)
+        return xarray.Dataset(variables, attrs=dict(self._file.attrs))
+
+    def _read_attributes(self) -> None:
+        self.status = text_attribute(self._file, "status")
+        self.status_detail = text_attribute(self._file, "status_detail")
+        self.title = text_attribute(self._file, "title")
+        self.seed = number_attribute(self._file, "seed")
+        self.physsim_version = text_attribute(self._file, "physsim_version")
+        if self.status not in layout.STATUSES:
+            raise Damaged(f"has the status {self.status!r}, which is none of {', '.join(layout.STATUSES)}")
+
+    def _find_datasets(self) -> None:
+        for column in layout.EVERYTHING:
+            found = dataset(self._file, column)
+            if found is not None:
+                self._datasets[column.path] = found
+            elif column.group not in layout.OPTIONAL_GROUPS:
+                raise Damaged(f"has no dataset /{column.path}: the file is damaged")
+        sizes = {dim: len(labels) for dim, labels in layout.FIXED_AXES.items()}
+        sizes |= {dim: self._datasets[path].shape[0] for dim, path in _LABELLED_AXES.items()}
+        for path, found in self._datasets.items():
+            _check_lengths(layout.BY_PATH[path], found, sizes)
+        self._check_groups_whole()
+
+    def _check_groups_whole(self) -> None:
+        for group in layout.OPTIONAL_GROUPS:
+            there = [column.path in self._datasets for column in _columns_of(group)]
+            if any(there) and not all(there):
+                raise Damaged(f"/{group} is not whole: the file is damaged")
+
+    def _whole_frames(self) -> int:
+        """The length of the shortest dataset over time, less frames whose time was not written."""
+        lengths = [
+            found.shape[0] - (layout.BY_PATH[path].dims[0] == "boundary")
+            for path, found in self._datasets.items()
+            if layout.BY_PATH[path].grows_along in ("time", "boundary")
+        ]
+        times = self._datasets["time"][: max(min(lengths), 0)]
+        missing = np.flatnonzero(~np.isfinite(times))
+        return int(missing[0]) if len(missing) else len(times)
+
+    def _over_time(self, path: str) -> Array:
+        return np.asarray(self.series(path)[:])
+
+    def _table_over_time(self, group: str) -> Table:
+        return Table({column.name: self._over_time(column.path) for column in _columns_of(group)})
+
+    def _need_group(self, group: str) -> None:
+        if _columns_of(group)[0].path not in self._datasets:
+            raise NotInFile(
+                f"{self.path}: {group} were not recorded (record: {{{group}: false}} in the scene)"
+            )
+
+    def _rows(self, group: str, start: int, stop: int, leave_out: Iterable[str] = ()) -> Table:
+        rows = {}
+        for column in _columns_of(group):
+            if column.path in leave_out:
+                continue
+            found = self._datasets[column.path]
+            if not 0 <= start <= stop <= found.shape[0]:
+                raise Damaged(f"/{column.path}: is shorter than /{group} says")
+            check_memory(self.path, (stop - start) * int(np.prod(found.shape[1:])) * found.dtype.itemsize)
+            data = np.asarray(found[start:stop])
+            rows[column.name] = np.asarray(self.body_names)[data] if column.name in _BODY_ROWS else data
+        return Table(rows)
+
+
+_BODY_ROWS = ("body_a", "body_b")
+_LABELLED_AXES = {"body": "body", "pair": "pairs/pair"}
+
+
+def _columns_of(group: str) -> list[Column]:
+    return [column for column in layout.EVERYTHING if column.group == group]
+
+
+def _check_lengths(column: Column, found: h5py.Dataset, sizes: dict[str, int]) -> None:
+    for dim, length in zip(column.dims, found.shape, strict=True):
+        if dim in sizes and length != sizes[dim]:
+            raise Damaged(f"/{column.path}: has length {length} along {dim} instead of {sizes[dim]}")
