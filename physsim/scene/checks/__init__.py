@@ -1,0 +1,27 @@
+"""Checks across a scene that need no geometry. Each is a function of the draft that yields problems by path."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from physsim.errors import Problem
+from physsim.scene.checks import bodies, connections, expect, forces, materials, no_contact, timing
+from physsim.scene.draft import Draft
+from physsim.scene.not_yet import refusals
+
+ALL = (
+    timing.check,
+    materials.check,
+    bodies.check,
+    connections.check,
+    forces.check,
+    no_contact.check,
+    expect.check,
+)
+
+
+def all_problems(draft: Draft) -> Iterator[Problem]:
+    """Everything that is wrong between the parts of the scene, and what is not supported yet."""
+    for check in ALL:
+        yield from check(draft)
+    yield from refusals(draft)

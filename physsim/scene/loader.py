@@ -1,0 +1,148 @@
+"""Text -> nodes -> overrides -> typed spec -> checks -> Scene; every problem is collected, then told at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from physsim.errors import Problem, SceneError
+from physsim.scene import nodes
+from physsim.scene.checks import all_problems
+from physsim.scene.draft import Draft, draft_of, salvaged
+from physsim.scene.overrides import Overrides, apply_overrides, told
+from physsim.scene.parameters import Parameters
+from physsim.scene.place import Places
+from physsim.scene.scene import Scene
+from physsim.scene.source import read_source
+from physsim.scene.spec.reading import Reading
+from physsim.scene.spec.scene import SceneSpec
+from physsim.scene.spec.simulation import SimulationSpec
+from physsim.scene.translate import Translator
+from physsim.scene.yaml_reader import read_yaml
+
+Warn = Callable[[Problem], None]
+
+
+def load_scene(
+    path: str | PathLike[str], overrides: Overrides | None = None, warn: Warn | None = None
+) -> Scene:
+    """Read a scene file.
+
+    overrides: changes made before validation, {"simulation.duration": "2 s"} or ["simulation.duration=2 s"].
+    warn: called with every warning, which the scene also keeps.
+    Raises FileTrouble when the file cannot be read, SceneError with every problem when it is no valid scene.
+    """
+    file = Path(path)
+    return _load(_Source(read_source(file), str(path), file, file.parent), overrides, warn)
+
+
+def load_scene_text(
+    text: str,
+    name: str = "<scene>",
+    folder: str | PathLike[str] = ".",
+    overrides: Overrides | None = None,
+    warn: Warn | None = None,
+) -> Scene:
+    """Read a scene from text; like `load_scene`, with files looked for in `folder`."""
+    return _load(_Source(text, name, None, Path(folder)), overrides, warn)
+
+
+@dataclass(frozen=True)
+class _Source:
+    """Where the text came from."""
+
+    text: str
+    name: str
+    path: Path | None
+    folder: Path
+
+
+def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Scene:
+    overrides = overrides if overrides is None or isinstance(overrides, dict | str) else list(overrides)
+    document = read_yaml(source.text)
+    root, problems = _mapping_of(document.root, list(document.problems))
+    plain_places = Places(None, source.text)
+    problems = [plain_places.with_source(problem) for problem in problems]
+    if root is None:
+        raise SceneError(problems, source.name)
+    problems += apply_overrides(root, overrides)
+    places = Places(root, source.text)
+    reading = Reading(_parameters(root))
+    spec, found = _validated(root, reading, places, source.folder)
+    problems += found
+    if spec is None or problems:
+        raise SceneError(_in_order(problems), source.name)
+    warnings = tuple(places.place(problem) for problem in _unused(spec, reading))
+    for warning in warnings if warn is not None else ():
+        warn(warning)  # type: ignore[misc]
+    return Scene(
+        spec, source.text, source.name, source.path, source.folder, told(overrides), warnings, places
+    )
+
+
+def _mapping_of(
+    root: nodes.Node | None, problems: list[Problem]
+) -> tuple[nodes.Mapping | None, list[Problem]]:
+    """The root when it is a mapping; otherwise what is wrong with it."""
+    if isinstance(root, nodes.Mapping):
+        return root, problems
+    empty = root is None or (isinstance(root, nodes.Scalar) and root.value is None)
+    if root is not None or not problems:
+        message = "the file is empty" if empty else "a scene must be a mapping (key: value)"
+        problems = [*problems, Problem((), message, line=1, column=1)]
+    return None, problems
+
+
+def _parameters(root: nodes.Mapping) -> Parameters:
+    entry = root.entries.get("parameters")
+    given = nodes.plain(entry.node) if entry is not None else None
+    return Parameters(given if isinstance(given, dict) else {})
+
+
+def _validated(
+    root: nodes.Mapping, reading: Reading, places: Places, folder: Path
+) -> tuple[SceneSpec | None, list[Problem]]:
+    """The spec when its parts are right in themselves, and every problem, placed."""
+    data: Any = nodes.plain(root)
+    problems: list[Problem] = []
+    spec: SceneSpec | None = None
+    draft: Draft
+    try:
+        spec = _with_frames(SceneSpec.model_validate(data, context=reading))
+        draft = draft_of(spec, folder)
+    except ValidationError as error:
+        problems = Translator(root, data, reading, places).problems(error)
+        draft = salvaged(data, reading, folder)
+    problems += [places.place(problem) for problem in all_problems(draft)]
+    return spec, problems
+
+
+def _with_frames(spec: SceneSpec) -> SceneSpec:
+    """Without `record.every`, frames are about 10 ms apart: the nearest whole number of timesteps."""
+    if "every" in spec.record.model_fields_set:
+        return spec
+    every = _frame_time(spec.record.every, spec.simulation)
+    return spec.model_copy(update={"record": spec.record.model_copy(update={"every": every})})
+
+
+def _frame_time(wanted: float, simulation: SimulationSpec) -> float:
+    return max(1, round(wanted / simulation.timestep)) * simulation.timestep
+
+
+def _in_order(problems: list[Problem]) -> list[Problem]:
+    """In the order of the file, overrides last."""
+    return sorted(problems, key=lambda p: (p.line is None, p.line or 0, p.column or 0))
+
+
+def _unused(spec: SceneSpec, reading: Reading) -> list[Problem]:
+    """A parameter that nothing uses is often a slip in the name of another."""
+    unused = [name for name in spec.parameters if name not in reading.parameters.used]
+    return [
+        Problem(("parameters", name), "is used nowhere in the scene", severity="warning", hint=None)
+        for name in unused
+    ]

@@ -1,0 +1,99 @@
+"""The `parameters` of a scene: named numbers that may refer to each other, computed when first asked for."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from physsim.scene.expressions import ExpressionError, Result, evaluate
+from physsim.scene.suggest import did_you_mean
+from physsim.scene.units import PLAIN, Measure, UnitError, dimension_text, parse_measure, parse_unit, same
+
+NAME = re.compile(r"[^\W\d]\w{0,59}\Z")
+MAX_CHAIN = 50
+_EXPRESSION = re.compile(r"\s*\$\{(?P<inside>[^{}]*)\}(?P<unit>[^${}]*)\Z")
+
+
+class BrokenParameter(ValueError):
+    """A parameter that is used is wrong itself; that is told where it stands."""
+
+
+class Parameters:
+    """Values of parameters by name, and of every text that uses them."""
+
+    def __init__(self, given: Mapping[str, object]) -> None:
+        self._given = given
+        self._known: dict[str, Measure] = {}
+        self._broken: set[str] = set()
+        self._asking: list[str] = []
+        self.used: set[str] = set()
+
+    def read(self, text: str) -> Result:
+        """The value of `5 cm`, `${2*drop}` or `${count} cm`.
+
+        Raises UnitError or ExpressionError for what cannot be read, BrokenParameter when the fault lies elsewhere.
+        """
+        if "${" not in text:
+            return Result(parse_measure(text), as_written=True)
+        match = _EXPRESSION.match(text)
+        if not match:
+            raise ExpressionError(
+                "must be one ${...}, alone or with a unit behind it",
+                "put all of the arithmetic inside ${...}",
+            )
+        result = evaluate(match["inside"], self._lookup)
+        return self._with_unit(result, match["unit"].strip())
+
+    def _with_unit(self, result: Result, unit: str) -> Result:
+        """`${count} cm`: only a plain number can be given a unit."""
+        if not unit:
+            return result
+        if not same(result.measure.dimension, PLAIN):
+            had = dimension_text(result.measure.dimension)
+            raise ExpressionError(f"gives the unit {unit} to an expression that is in {had} already")
+        parsed = parse_unit(unit)
+        return Result(Measure(parsed.in_si(result.measure.value), parsed.dimension), as_written=True)
+
+    def _lookup(self, name: str) -> Measure | None:
+        if name not in self._given:
+            return None
+        self.used.add(name)
+        if name in self._known:
+            return self._known[name]
+        if name in self._broken:
+            raise BrokenParameter(name)
+        return self._compute(name)
+
+    def _compute(self, name: str) -> Measure:
+        try:
+            self._known[name] = self.value(name)
+        except (UnitError, ExpressionError, ValueError):
+            self._broken.add(name)
+            raise BrokenParameter(name) from None
+        return self._known[name]
+
+    def value(self, name: str) -> Measure:
+        """The parameter's own value. Raises like `read`; ExpressionError when it refers to itself in a circle."""
+        if name in self._asking:
+            circle = [*self._asking[self._asking.index(name) :], name]
+            raise ExpressionError(f"refers to itself: {' -> '.join(circle[:8])}")
+        if len(self._asking) >= MAX_CHAIN:
+            raise ExpressionError(f"refers through more than {MAX_CHAIN} parameters")
+        self._asking.append(name)
+        try:
+            return measured(self._given[name], self).measure
+        finally:
+            self._asking.pop()
+
+    def unknown_hint(self, name: str) -> str | None:
+        """The parameter that was probably meant."""
+        return did_you_mean(name, self._given)
+
+
+def measured(value: object, parameters: Parameters) -> Result:
+    """A number or text as a measure. Raises UnitError (its message starts with a verb), ExpressionError, BrokenParameter."""
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        raise UnitError("must be a number" if value is not None else "is empty, a number is needed")
+    if isinstance(value, str):
+        return parameters.read(value)
+    return Result(Measure(float(value)), as_written=True)

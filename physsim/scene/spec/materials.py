@@ -1,0 +1,86 @@
+"""Materials and pairs of materials, and the rule for pairs that no table has."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import core_schema
+
+from physsim.scene.spec import kinds
+from physsim.scene.spec.base import Spec
+from physsim.scene.spec.names import ItemName
+from physsim.scene.spec.slip import slip
+from physsim.scene.spec.values import Number
+
+Restitution = Annotated[float, Number(at_least=0, at_most=1)]
+Friction = Annotated[float, Number(at_least=0, at_most=1e6)]
+Density = Annotated[float, Number(kinds.DENSITY, above=0)]
+MixingRule = Literal["minimum", "maximum", "mean", "geometric_mean", "harmonic_mean", "product", "error"]
+
+
+class Color:
+    """A colour as `#rgb` or `#rrggbb`."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(
+        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {"type": "string", "pattern": "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}
+
+    def read(self, value: object) -> str:
+        """The colour itself."""
+        if value is None:
+            raise slip(
+                'is empty: a colour starts with #, which begins a comment, so write it in quotes: "#d33"'
+            )
+        digits = value[1:] if isinstance(value, str) and value.startswith("#") else ""
+        if len(digits) not in (3, 6) or not all(c in "0123456789abcdefABCDEF" for c in digits):
+            raise slip("must be a colour", allowed='"#rgb" or "#rrggbb" in hexadecimal digits')
+        return f"#{digits}"
+
+
+class MaterialSpec(Spec):
+    """A material of the scene. What is left out comes from the built-in material of the same name, if there is one."""
+
+    density: Density | None = Field(
+        default=None, description="Mass per volume [kg/m^3], greater than 0.", examples=["7.85 g/cm^3"]
+    )
+    restitution: Restitution | None = Field(
+        default=None, description="Coefficient of restitution, 0 to 1, for pairs that no table has."
+    )
+    static_friction: Friction | None = Field(
+        default=None, description="Coefficient mu_s at rest, at least 0, for pairs that no table has."
+    )
+    kinetic_friction: Friction | None = Field(
+        default=None, description="Coefficient mu_k while sliding, 0 to mu_s, for pairs that no table has."
+    )
+    color: Annotated[str, Color()] | None = Field(
+        default=None, description="Colour in pictures, in quotes.", examples=["#d33"]
+    )
+
+
+class PairSpec(Spec):
+    """Coefficients of two materials; this table is looked up first. What is left out comes from the next source."""
+
+    between: tuple[ItemName, ItemName] = Field(
+        description="Names of the two materials, in either order; the same twice for a material on itself."
+    )
+    restitution: Restitution | None = Field(default=None, description="Coefficient of restitution, 0 to 1.")
+    static_friction: Friction | None = Field(
+        default=None, description="Coefficient mu_s at rest, at least 0."
+    )
+    kinetic_friction: Friction | None = Field(
+        default=None, description="Coefficient mu_k while sliding, 0 to mu_s."
+    )
+
+
+class MixingSpec(Spec):
+    """How coefficients of two materials are combined when no table has the pair; `error` refuses such a scene."""
+
+    restitution: MixingRule = Field(default="minimum", description="Rule for restitution.")
+    friction: MixingRule = Field(default="geometric_mean", description="Rule for both friction coefficients.")

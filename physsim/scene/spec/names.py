@@ -1,0 +1,65 @@
+"""Names that users give to bodies, materials, springs, joints and forces, and references to them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic_core import core_schema
+
+from physsim.scene.spec.slip import slip
+
+WORLD = "world"
+LONGEST = 100
+
+
+@dataclass(frozen=True)
+class Name:
+    """A name: 1 to 100 printable characters, no blank at either end, no `*`; `world` is taken for bodies."""
+
+    reserved: tuple[str, ...] = ()
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(
+        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        schema: dict[str, Any] = {
+            "type": "string",
+            "minLength": 1,
+            "maxLength": LONGEST,
+            "pattern": r"^[^*]+$",
+        }
+        return schema | ({"not": {"enum": list(self.reserved)}} if self.reserved else {})
+
+    def read(self, value: object) -> str:
+        """The name itself."""
+        if not isinstance(value, str):
+            raise slip(
+                "must be a name", hint=None if value is None else f'put it in quotes: "{str(value)[:40]}"'
+            )
+        trouble = self._trouble(value)
+        if trouble:
+            raise slip(trouble)
+        return value
+
+    def _trouble(self, name: str) -> str | None:
+        if not name:
+            return "a name must not be empty"
+        if len(name) > LONGEST:
+            return f"a name must be at most {LONGEST} characters long"
+        if name in self.reserved:
+            return f"the name '{name}' is taken"
+        if "*" in name or not all(c.isprintable() for c in name) or name != name.strip():
+            return "a name must be printable, without '*', and without blanks at its ends"
+        return None
+
+
+BodyName = Annotated[str, Name(reserved=(WORLD,))]
+BodyReference = Annotated[str, Name()]
+ItemName = Annotated[str, Name()]
+BodyPair = tuple[BodyReference, BodyReference]

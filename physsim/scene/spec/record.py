@@ -1,0 +1,22 @@
+"""What is written to the trajectory file, and how often."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from physsim.scene.spec.base import Spec
+from physsim.scene.spec.simulation import PositiveTime
+from physsim.scene.spec.values import Switch
+
+
+class RecordSpec(Spec):
+    """The contents of the trajectory file."""
+
+    every: PositiveTime = Field(
+        default=0.01,
+        description="Time between frames [s], a whole number of timesteps; when left out, 10 ms brought to the nearest.",
+        examples=["10 ms"],
+    )
+    contacts: Switch = Field(default=True, description="Whether contacts and impacts are written.")
+    joints: Switch = Field(default=True, description="Whether joint forces and coordinates are written.")
+    energy: Switch = Field(default=True, description="Whether the energy ledger is written.")
