@@ -18,24 +18,36 @@ from typing import Any
 
 
 @dataclass(frozen=True)
+class Source:
+    """Where a number was published.
+
+    name: short, as used in the file; citation: in full; checked: `read`, `second hand` (read as quoted by
+    others) or `handbook, not re-read`.
+    """
+
+    name: str
+    citation: str
+    checked: str
+
+
+@dataclass(frozen=True)
 class Number:
     """One published value.
 
-    sources: full citations, the first is the one that `value` rests on; low, high: the published range
-    (equal to the value where there is none); conditions: speed, surface, temperature, and what was decided
-    where sources differ.
+    sources: the first is the one that `value` rests on; low, high: the published range (equal to the value
+    where there is none); conditions: speed, surface, temperature, and what was decided where sources differ.
     """
 
     value: float
-    sources: tuple[str, ...]
+    sources: tuple[Source, ...]
     low: float
     high: float
     conditions: str
 
     @property
     def source(self) -> str:
-        """All citations in one line."""
-        return "; ".join(self.sources)
+        """Short names of all sources in one line."""
+        return ", ".join(source.name for source in self.sources)
 
 
 @dataclass(frozen=True)
@@ -122,11 +134,11 @@ def _row(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _number(entry: Mapping[str, Any]) -> Number:
-    citations = _data()["sources"]
+    known = _data()["sources"]
     low, high = entry.get("range", (entry["value"], entry["value"]))
     return Number(
         value=float(entry["value"]),
-        sources=tuple(citations[name] for name in entry["sources"]),
+        sources=tuple(Source(name, **known[name]) for name in entry["sources"]),
         low=float(low),
         high=float(high),
         conditions=entry.get("conditions", ""),

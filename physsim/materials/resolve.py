@@ -116,9 +116,9 @@ def resolve_pair(
 ) -> ResolvedPair:
     """The coefficients between materials `a` and `b`, which may be the same.
 
-    Raises UnknownPair when a number cannot be had. Where static and kinetic friction come from different
-    places and disagree (static below kinetic), the one from the better place stands and the other is set
-    equal to it.
+    Raises UnknownPair when a number cannot be had. Of the two coefficients of friction one is enough. Where
+    static and kinetic friction come from different places and disagree (static below kinetic), the one from
+    the better place stands and the other is set equal to it.
     """
     rules = {
         "restitution": mixing.restitution,
@@ -128,19 +128,29 @@ def resolve_pair(
     found: dict[str, ResolvedNumber] = {}
     missing: dict[str, str] = {}
     for name in NUMBERS:
-        number = _from_scene(name, a, b, scene_pairs) or _from_library(name, a, b, scene_materials)
-        if number is not None:
+        number = (
+            _from_scene(name, a, b, scene_pairs)
+            or _from_library(name, a, b, scene_materials)
+            or _mixed(name, a, b, scene_materials, rules[name])
+        )
+        if isinstance(number, ResolvedNumber):
             found[name] = number
-            continue
-        mixed = _mixed(name, a, b, scene_materials, rules[name])
-        if isinstance(mixed, str):
-            missing[name] = mixed
         else:
-            found[name] = mixed
+            missing[name] = number
+    _complete_friction(found, missing)
     if missing:
         raise UnknownPair((a, b), missing)
     static, kinetic = _ordered(found["static_friction"], found["kinetic_friction"])
     return ResolvedPair((a, b), found["restitution"], static, kinetic)
+
+
+def _complete_friction(found: dict[str, ResolvedNumber], missing: dict[str, str]) -> None:
+    """Many tables give one coefficient only: it then serves at rest and in motion."""
+    for name, other in (("static_friction", "kinetic_friction"), ("kinetic_friction", "static_friction")):
+        if name in missing and other in found:
+            del missing[name]
+            known = found[other]
+            found[name] = ResolvedNumber(known.value, f"{known.source} (value of {other})", known.rank)
 
 
 def _from_scene(name: str, a: str, b: str, scene_pairs: Sequence[PairLike]) -> ResolvedNumber | None:
