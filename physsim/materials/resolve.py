@@ -17,6 +17,7 @@ from physsim.materials import library
 from physsim.materials.mixing import RULES
 
 NUMBERS = ("restitution", "static_friction", "kinetic_friction")
+_SUBSTITUTE = {"static_friction": ("kinetic_friction",), "kinetic_friction": ("static_friction",)}
 
 
 class MaterialLike(Protocol):
@@ -146,7 +147,7 @@ def resolve_pair(
 
 def _complete_friction(found: dict[str, ResolvedNumber], missing: dict[str, str]) -> None:
     """Many tables give one coefficient only: it then serves at rest and in motion."""
-    for name, other in (("static_friction", "kinetic_friction"), ("kinetic_friction", "static_friction")):
+    for name, (other,) in _SUBSTITUTE.items():
         if name in missing and other in found:
             del missing[name]
             known = found[other]
@@ -168,7 +169,7 @@ def _from_library(
     known: library.Number | None = getattr(row, name) if row is not None else None
     if known is None or any(_stated(name, material, scene_materials) is not None for material in (a, b)):
         return None
-    return ResolvedNumber(known.value, f"library: {known.source}", 1)
+    return ResolvedNumber(known.value, f"library: {known.sources[0].name}", 1)
 
 
 def _stated(name: str, material: str, scene_materials: Mapping[str, MaterialLike]) -> float | None:
@@ -179,12 +180,16 @@ def _stated(name: str, material: str, scene_materials: Mapping[str, MaterialLike
 
 
 def _single(name: str, material: str, scene_materials: Mapping[str, MaterialLike]) -> float | None:
-    """The material's own number, the scene's before the library's."""
-    stated = _stated(name, material, scene_materials)
-    if stated is not None or material not in library.material_names():
-        return stated
-    known: library.Number | None = getattr(library.material(material), name)
-    return known.value if known is not None else None
+    """The material's own number: the scene's before the library's, and of two frictions one is enough."""
+    for number in (name, *_SUBSTITUTE.get(name, ())):
+        stated = _stated(number, material, scene_materials)
+        if stated is not None:
+            return stated
+        if material in library.material_names():
+            known: library.Number | None = getattr(library.material(material), number)
+            if known is not None:
+                return known.value
+    return None
 
 
 def _mixed(

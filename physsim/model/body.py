@@ -192,15 +192,18 @@ class BodyMaker:
     def _with_declared_inertia(
         self, spec: BodySpec, properties: MassProperties, method: str, path: Path
     ) -> tuple[MassProperties, str]:
-        """The declared tensor in place of the shape's, and a check of whichever stands."""
+        """The declared tensor in place of the shape's; a surface that cuts itself can give an impossible
+        one.
+        """
         if spec.inertia is not None:
             i = spec.inertia
             tensor = np.array([[i.xx, i.xy, i.xz], [i.xy, i.yy, i.yz], [i.xz, i.yz, i.zz]], dtype=np.float64)
-            properties = MassProperties(properties.mass, properties.center, tensor)
-            method = f"{method}, inertia given in the scene"
+            declared = MassProperties(properties.mass, properties.center, tensor)
+            return declared, f"{method}, inertia given in the scene"
         why = None if isinf(properties.mass) else impossible(properties.inertia)
         if why is not None:
-            self.findings.error((*path, "inertia") if spec.inertia is not None else (*path, "shape"), why)
+            hint = "its surface may cut itself; repair it, or give the inertia"
+            self.findings.error((*path, "shape"), f"has an inertia that {why}", hint=hint)
         return properties, method
 
 

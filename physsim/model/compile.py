@@ -53,16 +53,12 @@ class _Compiler:
     def model(self) -> Model:
         """Raises SceneError with everything that was found."""
         bodies = self._bodies()
-        no_contact = no_contact_pairs(
-            self.scene.spec.no_contact, list(self.scene.bodies), self.declared, self.findings
-        )
+        no_contact = no_contact_pairs(self.scene.spec.no_contact, list(self.scene.bodies))
         model = None if bodies is None else self._assembled(bodies, no_contact)
         if model is not None and bodies is not None:
             checks.check_model(model, bodies, self.paths, self.findings)
         if model is None or self.findings.errors:
-            raise SceneError(
-                [self.scene.place(problem) for problem in self.findings.errors], str(self.scene.path)
-            )
+            raise SceneError([self.scene.place(problem) for problem in self.findings.errors], self.scene.name)
         return replace(model, warnings=tuple(self.scene.place(problem) for problem in self.findings.warnings))
 
     def _bodies(self) -> list[Body] | None:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from physsim.errors import FileTrouble
 from physsim.model import polyhedron
 from physsim.model.form import Form
 from physsim.model.geom import Geom, hull_geom, surface_geom
@@ -29,9 +30,9 @@ if TYPE_CHECKING:
 
 @dataclass
 class MeshFiles:
-    """Reads every mesh file once, and remembers its hash.
+    """Reads every mesh file once, and remembers its hash under the name that the scene gives it.
 
-    find: name in the scene -> path (may raise what the scene room raises).
+    find: name -> path; raises FileTrouble when there is no such file.
     """
 
     find: Callable[[str], Path]
@@ -40,16 +41,22 @@ class MeshFiles:
 
     def mesh(self, file: str) -> TriangleMesh:
         """The surface in a file. Raises ShapeTrouble."""
-        path = self.find(file)
+        path = self._path(file)
         if path not in self._meshes:
             self._meshes[path] = read_mesh(path)
         self.sha256[file] = self._meshes[path].sha256
         return self._meshes[path]
 
     def points(self, file: str) -> FloatArray:
-        """The vertices in a file. Raises ShapeTrouble."""
-        points, self.sha256[file] = read_points(self.find(file))
+        """The vertices (V, 3) in a file. Raises ShapeTrouble."""
+        points, self.sha256[file] = read_points(self._path(file))
         return points
+
+    def _path(self, file: str) -> Path:
+        try:
+            return self.find(file)
+        except FileTrouble as trouble:
+            raise ShapeTrouble(str(trouble), key="file", given=file) from None
 
 
 def mesh_form(shape: MeshShape, files: MeshFiles, fixed: bool) -> Form:
@@ -59,14 +66,6 @@ def mesh_form(shape: MeshShape, files: MeshFiles, fixed: bool) -> Form:
     Raises ShapeTrouble.
     """
     mesh = files.mesh(shape.file)
-    if shape.collision == "exact" and not fixed:
-        raise ShapeTrouble(
-            "is for fixed bodies only",
-            key="collision",
-            given="exact",
-            allowed="hull, pieces",
-            hint="a moving body collides as its hull or in convex pieces",
-        )
     vertices = mesh.vertices * shape.scale
     unit, volume, method = _mass_properties(mesh, vertices, shape.inertia, fixed)
     spans = np.ptp(vertices, axis=0)

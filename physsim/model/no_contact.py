@@ -2,48 +2,30 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
 
-from physsim.model.findings import Findings
+from physsim.scene.patterns import matches
 
 Pairs = npt.NDArray[np.int32]
 
 
-def no_contact_pairs(
-    patterns: Sequence[Sequence[str]], names: Sequence[str], declared: Sequence[str], findings: Findings
-) -> Pairs:
-    """Pairs (K, 2) of different bodies, lower number first, sorted, each once.
-
-    A pattern names a body, all copies of a repeated body (by its declared name), or with `*` whatever fits;
-    brackets stand for themselves, because repeated bodies carry them. `names` and `declared` are parallel.
+def no_contact_pairs(patterns: Sequence[Sequence[str]], names: Sequence[str]) -> Pairs:
+    """Numbers (K, 2) of the different bodies that each row of patterns names, lower first, sorted, each
+    once.
     """
     count = len(names)
     codes = [np.empty(0, dtype=np.int64)]
-    for index, (first, second) in enumerate(patterns):
-        a = _matching(first, names, declared, ("no_contact", index, 0), findings)
-        b = _matching(second, names, declared, ("no_contact", index, 1), findings)
+    for first, second in patterns:
+        a, b = _matching(first, names), _matching(second, names)
         low = np.minimum(a[:, None], b[None, :]).ravel()
         high = np.maximum(a[:, None], b[None, :]).ravel()
-        codes.append((low * count + high)[low != high])
-    unique = np.unique(np.concatenate(codes))
-    return np.column_stack([unique // max(count, 1), unique % max(count, 1)]).astype(np.int32)
+        codes.append(np.unique((low * count + high)[low != high]))
+    pairs = np.column_stack(np.divmod(np.unique(np.concatenate(codes)), count))
+    return pairs.astype(np.int32)
 
 
-def _matching(
-    pattern: str,
-    names: Sequence[str],
-    declared: Sequence[str],
-    path: tuple[str | int, ...],
-    findings: Findings,
-) -> npt.NDArray[np.int64]:
-    fits = re.compile(".*".join(re.escape(part) for part in pattern.split("*"))).fullmatch
-    found = [
-        i for i, (name, base) in enumerate(zip(names, declared, strict=True)) if fits(name) or base == pattern
-    ]
-    if not found:
-        findings.error(path, "fits no body", given=pattern)
-    return np.array(found, dtype=np.int64)
+def _matching(pattern: str, names: Sequence[str]) -> npt.NDArray[np.int64]:
+    return np.array([number for number, name in enumerate(names) if matches(pattern, name)], dtype=np.int64)
