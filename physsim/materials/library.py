@@ -18,36 +18,20 @@ from typing import Any
 
 
 @dataclass(frozen=True)
-class Source:
-    """Where a number was published.
-
-    name: short, as used in the file; citation: in full; checked: `read`, `second hand` (read as quoted by
-    others) or `handbook, not re-read`.
-    """
-
-    name: str
-    citation: str
-    checked: str
-
-
-@dataclass(frozen=True)
 class Number:
     """One published value.
 
-    sources: the first is the one that `value` rests on; low, high: the published range (equal to the value
+    source: short name of the source that `value` rests on; sources: full citations of it and of all others,
+    with a mark on those that were not read themselves; low, high: the published range (equal to the value
     where there is none); conditions: speed, surface, temperature, and what was decided where sources differ.
     """
 
     value: float
-    sources: tuple[Source, ...]
+    source: str
+    sources: tuple[str, ...]
     low: float
     high: float
     conditions: str
-
-    @property
-    def source(self) -> str:
-        """Short names of all sources in one line."""
-        return ", ".join(source.name for source in self.sources)
 
 
 @dataclass(frozen=True)
@@ -134,12 +118,18 @@ def _row(row: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _number(entry: Mapping[str, Any]) -> Number:
-    known = _data()["sources"]
     low, high = entry.get("range", (entry["value"], entry["value"]))
     return Number(
         value=float(entry["value"]),
-        sources=tuple(Source(name, **known[name]) for name in entry["sources"]),
+        source=entry["sources"][0],
+        sources=tuple(_citation(name) for name in entry["sources"]),
         low=float(low),
         high=float(high),
         conditions=entry.get("conditions", ""),
     )
+
+
+def _citation(name: str) -> str:
+    source = _data()["sources"][name]
+    mark = "" if source["checked"] == "read" else f" [{source['checked']}]"
+    return f"{source['citation']}{mark}"

@@ -169,7 +169,7 @@ def _from_library(
     known: library.Number | None = getattr(row, name) if row is not None else None
     if known is None or any(_stated(name, material, scene_materials) is not None for material in (a, b)):
         return None
-    return ResolvedNumber(known.value, f"library: {known.sources[0].name}", 1)
+    return ResolvedNumber(known.value, f"library: {known.source}", 1)
 
 
 def _stated(name: str, material: str, scene_materials: Mapping[str, MaterialLike]) -> float | None:
