@@ -1,4 +1,4 @@
-"""Defaults of lists, looked up by path: what `--set world.gravity[0]=1` starts from when no gravity is given."""
+"""Defaults of lists by path: what `--set world.gravity[0]=1` starts from when no gravity is given."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from physsim.scene.spec.scene import SceneSpec
 
 
 def default_list(path: Sequence[PathPart]) -> list[Any] | None:
-    """The default at a path such as ("bodies", "ball", "velocity"); None when there is none or it is no list."""
+    """The default at ("bodies", "ball", "velocity") and the like; None when it is no list."""
     model: Any = SceneSpec
     parts = list(path)
     while parts:

@@ -1,7 +1,7 @@
 """A scene that may still be wrong in places: what checks across the scene look at.
 
-When one part of a scene is wrong in itself, the rest is checked all the same, so that every mistake is told at once.
-What is wrong in itself stands as None: it is declared, but nothing is known of it.
+When one part of a scene is wrong in itself, the rest is checked all the same, so that every mistake is told
+at once. What is wrong in itself stands as None: it is declared, but nothing is known of it.
 """
 
 from __future__ import annotations
@@ -67,15 +67,16 @@ def draft_of(spec: SceneSpec, folder: Path) -> Draft:
     return Draft(folder, **{name: getattr(spec, name) for name in (*_SINGLE, *_NAMED, *_LISTED)})
 
 
-def salvaged(data: Any, reading: Reading, folder: Path) -> Draft:
+def salvaged(data: Mapping[str, Any], reading: Reading, folder: Path) -> Draft:
     """The draft of a scene some parts of which are wrong."""
-    data = data if isinstance(data, dict) else {}
-    return Draft(
-        folder,
-        **{name: _one(TypeAdapter(kind), data.get(name, {}), reading) for name, kind in _SINGLE.items()},
-        **{name: _named(TypeAdapter(kind), data.get(name), reading) for name, kind in _NAMED.items()},
-        **{name: _listed(TypeAdapter(kind), data.get(name), reading) for name, kind in _LISTED.items()},
-    )
+    sections: dict[str, Any] = {}
+    for name, kind in _SINGLE.items():
+        sections[name] = _one(TypeAdapter(kind), data.get(name, {}), reading)
+    for name, kind in _NAMED.items():
+        sections[name] = _named(TypeAdapter(kind), data.get(name), reading)
+    for name, kind in _LISTED.items():
+        sections[name] = _listed(TypeAdapter(kind), data.get(name), reading)
+    return Draft(folder, **sections)
 
 
 def _one(adapter: TypeAdapter[Any], value: Any, reading: Reading) -> Any:

@@ -8,13 +8,14 @@ Grammar, loosest first (`^` and `**` are the same, bind to the right, and stand 
     power   = atom [ ("^" | "**") sign ]
     atom    = NUMBER [UNIT] | NAME | NAME "(" sum { "," sum } ")" | "(" sum ")"
 
-NAME is a parameter of the scene or a constant (`pi`, `tau`); a parameter of the same name wins. UNIT is one unit name
-(`10 cm`, `30 deg`); compound units are written as arithmetic: `${3 m / (1 s)}`.
+NAME is a parameter of the scene or a constant (`pi`, `tau`); a parameter of the same name wins. UNIT is one
+unit name (`10 cm`, `30 deg`); compound units are written as arithmetic: `${3 m / (1 s)}`.
 
-Dimensions are carried along: `${drop}` for a mass is refused when `drop` is a length. A number without a unit takes
-the dimension that it meets, in SI, as everywhere in a scene: `${drop + 0.1}` adds 0.1 m. Radians count as plain
-numbers inside arithmetic, so that `${v / r}` is an angular speed. A single name, `${drop}`, stands for the parameter
-exactly as it was written. Numbers are floats and every stage is bounded: text 500 characters, nesting 40.
+Dimensions are carried along: `${drop}` for a mass is refused when `drop` is a length. A number without a unit
+takes the dimension that it meets, in SI, as everywhere in a scene: `${drop + 0.1}` adds 0.1 m. Radians count
+as plain numbers inside arithmetic, so that `${v / r}` is an angular speed. A single name, `${drop}`, stands
+for the parameter exactly as it was written. Numbers are floats and every stage is bounded: text 500
+characters, nesting 40.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ class ExpressionError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What an expression gives. `as_written`: a single name, which stands for its parameter as it was written."""
+    """What an expression gives; `as_written` when it is a single name, which stands for its parameter."""
 
     measure: Measure
     as_written: bool

@@ -1,4 +1,4 @@
-"""Text -> nodes -> overrides -> typed spec -> checks -> Scene; every problem is collected, then told at once."""
+"""Text -> nodes -> overrides -> typed spec -> checks -> Scene; every problem is told at once."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from physsim.errors import Problem, SceneError
+from physsim.errors import PathPart, Problem, SceneError
 from physsim.scene import nodes
 from physsim.scene.checks import all_problems
 from physsim.scene.draft import Draft, draft_of, salvaged
@@ -119,7 +119,24 @@ def _validated(
         problems = Translator(root, data, reading, places).problems(error)
         draft = salvaged(data, reading, folder)
     problems += [places.place(problem) for problem in all_problems(draft)]
-    return spec, problems
+    return spec, problems + _empty(root, places, {problem.path for problem in problems})
+
+
+def _empty(root: nodes.Mapping, places: Places, told_already: set[tuple[PathPart, ...]]) -> list[Problem]:
+    """A key without a value is a value that was forgotten, or a comment: `color: #d33`."""
+    return [
+        places.place(Problem(path, "is empty: give a value, or leave the key out", hint=_quotes_hint(path)))
+        for path, _ in nodes.empty_places(root)
+        if path not in told_already
+    ]
+
+
+def _quotes_hint(path: tuple[PathPart, ...]) -> str | None:
+    return (
+        'a colour starts with #, which begins a comment: put it in quotes, "#d33"'
+        if path[-1:] == ("color",)
+        else None
+    )
 
 
 def _with_frames(spec: SceneSpec) -> SceneSpec:

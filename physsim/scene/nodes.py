@@ -5,14 +5,17 @@ Nothing here knows the reader (`yaml_reader`) or what the words mean (`spec`).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+
+from physsim.errors import PathPart
 
 Plain = None | bool | int | float | str | list["Plain"] | dict[str, "Plain"]
 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where something was written: line and column from 1, or an origin such as `--set bodies.ball.mass=3`."""
+    """Where something was written: line and column from 1, or an origin such as `--set a.b=3`."""
 
     line: int
     column: int
@@ -21,7 +24,7 @@ class Place:
 
 @dataclass(slots=True)
 class Scalar:
-    """A number, a word, true, false or nothing. `text` is what stood there, `value` what it means in YAML 1.2."""
+    """A number, a word, true, false or nothing: what stood there, and what it means in YAML 1.2."""
 
     place: Place
     text: str
@@ -74,6 +77,19 @@ def copied(node: Node) -> Node:
         return Sequence(node.place, node.flow, [copied(item) for item in node.items])
     entries = {key: Entry(entry.place, copied(entry.node)) for key, entry in node.entries.items()}
     return Mapping(node.place, node.flow, entries)
+
+
+def empty_places(root: Node) -> Iterator[tuple[tuple[PathPart, ...], Scalar]]:
+    """Every place where a value should stand and nothing does, with its path."""
+    waiting: list[tuple[tuple[PathPart, ...], Node]] = [((), root)]
+    while waiting:
+        path, node = waiting.pop()
+        if isinstance(node, Mapping):
+            waiting += [((*path, key), entry.node) for key, entry in node.entries.items()]
+        elif isinstance(node, Sequence):
+            waiting += [((*path, i), item) for i, item in enumerate(node.items)]
+        elif node.value is None:
+            yield path, node
 
 
 def shown(node: Node, limit: int = 60) -> str:

@@ -1,4 +1,4 @@
-"""What the scene language has and this version does not do yet: refused at its line, never accepted and ignored.
+"""What the scene language has and this version does not do yet: refused at its line, never ignored.
 
 A feature that has come to work loses its row here; nothing else in the scene room changes.
 """

@@ -1,8 +1,9 @@
 """`--set path=value`: changes to a scene before it is validated, e.g. `bodies.crate.position[2]=0.7`.
 
-A path is keys joined by points and indices in brackets. Keys that hold points or brackets themselves are found by the
-longest match. The value is YAML, so `2 s`, `[0, 0, 1]` and `{type: sphere, radius: 1 cm}` are all fine. Later changes
-see earlier ones. Everything set this way is validated like the file, and its errors name the override as their place.
+A path is keys joined by points and indices in brackets. Keys that hold points or brackets themselves are
+found by the longest match. The value is YAML, so `2 s`, `[0, 0, 1]` and `{type: sphere, radius: 1 cm}` are
+all fine; `null` takes a key away. Later changes see earlier ones. Everything set this way is validated like
+the file, and its errors name the override as their place.
 """
 
 from __future__ import annotations
@@ -193,7 +194,9 @@ def _new(parent: nodes.Mapping, path: list[PathPart], rest: str, override: Overr
 
 
 def _put(node: Node, part: PathPart, value: Node, override: Override) -> None:
-    if isinstance(node, nodes.Mapping):
+    if isinstance(node, nodes.Mapping) and _is_nothing(value):
+        node.entries.pop(str(part), None)
+    elif isinstance(node, nodes.Mapping):
         node.entries[str(part)] = Entry(Place(1, 1, override.origin), value)
     elif isinstance(node, Sequence) and isinstance(part, int) and part < len(node.items):
         node.items[part] = value

@@ -31,7 +31,7 @@ class Parameters:
     def read(self, text: str) -> Result:
         """The value of `5 cm`, `${2*drop}` or `${count} cm`.
 
-        Raises UnitError or ExpressionError for what cannot be read, BrokenParameter when the fault lies elsewhere.
+        Raises UnitError or ExpressionError for what cannot be read, BrokenParameter for a fault elsewhere.
         """
         if "${" not in text:
             return Result(parse_measure(text), as_written=True)
@@ -73,7 +73,7 @@ class Parameters:
         return self._known[name]
 
     def value(self, name: str) -> Measure:
-        """The parameter's own value. Raises like `read`; ExpressionError when it refers to itself in a circle."""
+        """The parameter's own value. Raises like `read`; ExpressionError when it refers to itself."""
         if name in self._asking:
             circle = [*self._asking[self._asking.index(name) :], name]
             raise ExpressionError(f"refers to itself: {' -> '.join(circle[:8])}")
@@ -91,7 +91,7 @@ class Parameters:
 
 
 def measured(value: object, parameters: Parameters) -> Result:
-    """A number or text as a measure. Raises UnitError (its message starts with a verb), ExpressionError, BrokenParameter."""
+    """A number or text as a measure. Raises UnitError, ExpressionError or BrokenParameter."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise UnitError("must be a number" if value is not None else "is empty, a number is needed")
     if isinstance(value, str):

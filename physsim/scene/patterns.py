@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def matches(pattern: str, name: str) -> bool:
-    """Whether the whole name fits the pattern, in time linear in the name: each piece is sought once, from the left."""
+    """Whether the whole name fits the pattern. Each piece is sought once, from the left: linear time."""
     first, *rest = pattern.split("*")
     if not rest:
         return pattern == name

@@ -16,7 +16,7 @@ MAX_SOURCE_LINE = 2000
 
 @dataclass(frozen=True)
 class Found:
-    """The deepest node on a path: its key's place (None in lists and at the root) and whether the path ends there."""
+    """The deepest node on a path, its key's place (None without one), and whether the path ends there."""
 
     node: Node
     key_place: Place | None
@@ -24,7 +24,7 @@ class Found:
 
 
 def find(root: Node, path: Items[PathPart]) -> Found:
-    """Follow the path as far as the text goes. Copies of a repeated body are found under its declared name."""
+    """Follow the path as far as the text goes; copies of a repeated body lead to its declaration."""
     found = Found(root, None, True)
     for part in path:
         below = _step(found.node, part)
@@ -44,7 +44,7 @@ def _step(node: Node, part: PathPart) -> Entry | Node | None:
 
 
 def place_of(root: Node, path: Items[PathPart], at_key: bool = False) -> Place:
-    """The place of a path: of its value; of its key when at_key, or when the value is a mapping or a list of lines."""
+    """The place of the path's value; of its key when at_key, for mappings and for lists without brackets."""
     found = find(root, path)
     in_line = isinstance(found.node, Scalar) or (isinstance(found.node, Sequence) and found.node.flow)
     if found.complete and in_line and not at_key:

@@ -12,7 +12,7 @@ MAX_WIDTH = 120
 
 
 def format_problem(problem: Problem, file: str) -> str:
-    """`scene.yaml:14:7: bodies.ball.shape.radius: must be greater than 0, got -1`, then the line and a caret."""
+    """`scene.yaml:14:7: bodies.ball.mass: must be greater than 0, got -1`, then the line and a caret."""
     head = f"{_where(problem, file)}: {_what(problem)}"
     return "\n".join([head, *_excerpt(problem)])
 
@@ -23,7 +23,7 @@ def format_problems(problems: Sequence[Problem], file: str) -> str:
 
 
 def problem_as_dict(problem: Problem, file: str) -> dict[str, object]:
-    """The problem for `--json`; `keys` is the path in parts, `origin` an override such as `--set a=b` or None."""
+    """The problem for `--json`: `keys` is the path in parts, `origin` an override (`--set a=b`) or None."""
     return {
         "file": file,
         "line": problem.line,

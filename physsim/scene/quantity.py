@@ -4,13 +4,13 @@
     bodies.NAME.position | velocity | angular_velocity [.x | .y | .z]
     bodies.NAME.orientation [.w | .x | .y | .z]     unit quaternion
     bodies.NAME.speed | angular_speed               length of velocity, of angular_velocity
-    energy.TERM                                     a term of the ledger; also kinetic (both) and total (the state terms)
+    energy.TERM                                     a term of the ledger, kinetic (sum), total (of the state)
     momentum.linear | angular [.x | .y | .z]        of the whole scene
     contacts.count                                  contact points
     solver.residual | iterations                    of the last step
 
-NAME may hold dots and brackets (`bodies.brick[0,0,3].position.z`): what follows it is known, so it is read from the
-right. Only names and dimensions are known here; values are for those who read trajectories.
+NAME may hold dots and brackets (`bodies.brick[0,0,3].position.z`): what follows it is known, so it is read
+from the right. Only names and dimensions are known here; values are for those who read trajectories.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ _BODY = re.compile(
 
 
 class QuantityError(ValueError):
-    """The text names nothing that a trajectory holds; `hint` names the likely slip, `allowed` what may stand there."""
+    """The text names nothing that a trajectory holds; told with the likely slip and what may stand there."""
 
     def __init__(self, message: str, hint: str | None = None, allowed: str | None = None) -> None:
         super().__init__(message)
@@ -74,7 +74,8 @@ class Quantity:
     """One quantity of a trajectory.
 
     group: the part of the trajectory; field: the name in it (`time` for time).
-    body: the body's name, None outside of bodies. component: x, y, z (or w), None for scalars and whole vectors.
+    body: the body's name, None outside of bodies. component: x, y, z (or w), None for scalars and whole
+    vectors.
     components: those the field has, empty for a scalar. kind: what it measures, with the SI unit.
     """
 

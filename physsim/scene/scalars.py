@@ -23,17 +23,17 @@ def meaning(text: str) -> bool | int | float | str | None:
     """The value of a plain scalar. Raises ValueError for integers of more digits than any quantity has."""
     if text in _WORDS:
         return _WORDS[text]
-    if not (text[0].isdigit() or text[0] in "+-."):
-        return text
+    return _number(text) if text[0].isdigit() or text[0] in "+-." else text
+
+
+def _number(text: str) -> int | float | str:
     if _INT.match(text):
         return int(_bounded(text))
     if _FLOAT.match(text):
         return float(text)
     if _OTHER_BASE.match(text):
         return int(_bounded(text), 0)
-    if _NOT_FINITE.match(text):
-        return float(text.replace(".", "", 1))
-    return text
+    return float(text.replace(".", "", 1)) if _NOT_FINITE.match(text) else text
 
 
 def _bounded(text: str) -> str:

@@ -19,8 +19,8 @@ from physsim.scene.spec.scene import SceneSpec
 class Scene:
     """What the user wrote.
 
-    spec: typed, frozen, every number a float in SI, expressions evaluated; field names are the keys of the language.
-    text: the YAML as it was given (before overrides); name: how messages call it; path: its file, None for text.
+    spec: typed, frozen, numbers are floats in SI, expressions evaluated; its fields are the language's keys.
+    text: the YAML as given (before overrides); name: how messages call it; path: its file, None for text.
     folder: where files named in the scene are looked for; overrides: the changes made to the text, as told.
     warnings: what is allowed but probably not meant, placed.
     """
@@ -41,7 +41,7 @@ class Scene:
 
     @cached_property
     def bodies(self) -> dict[str, BodySpec]:
-        """All bodies by name in the order of the scene; `repeat` is expanded to name[i,j,k], the last running fastest."""
+        """All bodies in the order of the scene, `repeat` expanded to name[i,j,k], k running fastest."""
         return expanded(self.spec.bodies)
 
     def resolved_yaml(self) -> str:
@@ -53,5 +53,5 @@ class Scene:
         return resolve_file(self.folder, file)
 
     def place(self, problem: Problem) -> Problem:
-        """The problem with line, column and source line of its path; copies of a body lead to its declaration."""
+        """The problem with line, column and source line; copies of a body lead to its declaration."""
         return self.places.place(problem)

@@ -10,7 +10,7 @@ MAX_WORDS = 2000
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
-    """The known word nearest to `word`, None when none is near. Bounded in time: long words are not compared."""
+    """The known word nearest to `word`, None when none is near; long words are not compared."""
     if len(word) > MAX_WORD:
         return None
     candidates = [name for _, name in zip(range(MAX_WORDS), known, strict=False) if len(name) <= MAX_WORD]

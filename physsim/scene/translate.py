@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, ClassVar
 
 from pydantic import ValidationError
 
@@ -14,7 +14,7 @@ from physsim.scene.nodes import Mapping, Node, Scalar
 from physsim.scene.place import Places, find
 from physsim.scene.spec.base import keys_of
 from physsim.scene.spec.reading import Reading
-from physsim.scene.spec.slip import CODE
+from physsim.scene.spec.slip import CODE, TOLD_ELSEWHERE
 from physsim.scene.suggest import nearest
 
 Path = tuple[PathPart, ...]
@@ -24,7 +24,8 @@ _QUOTED = re.compile(r"'([^']*)'")
 class Translator:
     """Turns the errors of one validation into problems.
 
-    root: the scene as written; data: the plain data that was validated, whose mappings `reading` knows by identity.
+    root: the scene as written; data: the plain data that was validated, whose mappings `reading` knows by
+    identity.
     """
 
     def __init__(self, root: Node, data: Any, reading: Reading, places: Places) -> None:
@@ -48,18 +49,13 @@ class Translator:
         path = self._path(details["loc"])
         kind: str = details["type"]
         context = details.get("ctx", {})
-        if kind == "physsim_silent":
+        if kind == TOLD_ELSEWHERE:
             return None
-        if kind == CODE:
-            return self._own(path, context)
         if kind == "missing":
             return self._missing(path, wanted)
-        if kind == "extra_forbidden":
-            return self._unknown_key(path)
-        if kind in ("union_tag_invalid", "union_tag_not_found"):
-            return self._wrong_type(path, context, kind == "union_tag_not_found")
-        if kind == "literal_error":
-            return self._not_among(path, "must be one of the allowed words", context["expected"])
+        handler = self._HANDLERS.get(kind)
+        if handler is not None:
+            return handler(self, path, context)
         return self._at_value(path, _message(kind, context) or details["msg"])
 
     def _own(self, path: Path, context: dict[str, Any]) -> Problem:
@@ -74,7 +70,7 @@ class Translator:
             return self._at_value(path[:-1], f"must be a list of {wanted[path[:-1]]}")
         return self._places.place(Problem(path, "is required but missing"), at_key=True)
 
-    def _unknown_key(self, path: Path) -> Problem:
+    def _unknown_key(self, path: Path, context: dict[str, Any]) -> Problem:
         parent = _below(self._data, path[:-1])
         model = self._models.get(id(parent))
         known = keys_of(model) if model is not None else []
@@ -85,11 +81,14 @@ class Translator:
         allowed = None if hint else ", ".join(known)
         return self._places.place(Problem(path, "unknown key", None, allowed, hint), at_key=True)
 
-    def _wrong_type(self, path: Path, context: dict[str, Any], missing: bool) -> Problem:
-        path = (*path, "type")
-        if missing:
-            return self._places.place(Problem(path, "is required but missing"), at_key=True)
-        return self._not_among(path, "unknown type", context["expected_tags"])
+    def _no_type(self, path: Path, context: dict[str, Any]) -> Problem:
+        return self._places.place(Problem((*path, "type"), "is required but missing"), at_key=True)
+
+    def _unknown_type(self, path: Path, context: dict[str, Any]) -> Problem:
+        return self._not_among((*path, "type"), "unknown type", context["expected_tags"])
+
+    def _unknown_word(self, path: Path, context: dict[str, Any]) -> Problem:
+        return self._not_among(path, "must be one of the allowed words", context["expected"])
 
     def _not_among(self, path: Path, message: str, expected: str) -> Problem:
         known = _QUOTED.findall(expected)
@@ -119,6 +118,14 @@ class Translator:
             node = found.node if found is not None and found.complete else None
             tag_passed = False
         return tuple(parts)
+
+    _HANDLERS: ClassVar[dict[str, Callable[[Translator, Path, dict[str, Any]], Problem]]] = {
+        CODE: _own,
+        "extra_forbidden": _unknown_key,
+        "union_tag_invalid": _unknown_type,
+        "union_tag_not_found": _no_type,
+        "literal_error": _unknown_word,
+    }
 
     def _wanted_lengths(self, errors: Sequence[Any]) -> dict[Path, int]:
         """The length of each list that has too few items: pydantic reports every missing one by its index."""

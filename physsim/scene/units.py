@@ -1,9 +1,9 @@
 """Numbers with units: `5 cm`, `1200 rpm`, `7.85 g/cm^3` -> SI value and dimension.
 
-Grammar: `NUMBER UNIT`, where UNIT is unit names joined by `*`, a middle dot or a space (product) and `/` (divides the
-next factor only; parentheses group), each with a power written `^2`, `**2`, as a superscript, or as a bare digit
-(`m/s2`). A number without a unit is SI. Radians are followed through, so that `5 Hz` is no angular speed, but may be
-left out beside kilograms (`N*m` for `N*m/rad`).
+Grammar: `NUMBER UNIT`, where UNIT is unit names joined by `*`, a middle dot or a space (product) and `/`
+(divides the next factor only; parentheses group), each with a power written `^2`, `**2`, as a superscript, or
+as a bare digit (`m/s2`). A number without a unit is SI. Radians are followed through, so that `5 Hz` is no
+angular speed, but may be left out beside kilograms (`N*m` for `N*m/rad`).
 
 Temperatures and other scales with an offset are not units of mechanics and are left out on purpose.
 """
@@ -62,7 +62,9 @@ class Unit:
         return Unit(self.factor * other.factor**power, dimension, self.turns + power * other.turns)
 
 
-def _unit(factor: str | Fraction, kg: int = 0, m: int = 0, s: int = 0, rad: int = 0, turns: int = 0) -> Unit:
+def _unit(
+    factor: str | Fraction, kg: int = 0, m: int = 0, s: int = 0, *, rad: int = 0, turns: int = 0
+) -> Unit:
     return Unit(Fraction(factor), (float(kg), float(m), float(s), float(rad)), turns)
 
 
@@ -190,7 +192,8 @@ def _power(name: str, power: float) -> str:
 def parse_measure(text: str) -> Measure:
     """Read `NUMBER` or `NUMBER UNIT`.
 
-    Raises UnitError when the text is anything else, when the unit is unknown, or when the SI value is not finite.
+    Raises UnitError when the text is anything else, when the unit is unknown, or when the SI value is not
+    finite.
     """
     if len(text) > _MAX_TEXT:
         raise UnitError(f"is too long for a number with a unit (at most {_MAX_TEXT} characters)")

@@ -1,9 +1,10 @@
-"""YAML text -> nodes with places. The only file that imports yaml for reading, so that the parser can be replaced.
+"""YAML text -> nodes with places. The only file that imports yaml for reading, so that the parser can be
+replaced.
 
 PyYAML (libyaml) is used for its events only; what they mean is decided here, in one loop without recursion:
-YAML 1.2 scalars (`scalars`), no tags, no merge keys, no duplicate keys, one document, and bounds on depth, size and on
-what aliases may multiply. Depth is checked on the events, since building nested objects first would overflow the
-stack (PyYAML issue 895).
+YAML 1.2 scalars (`scalars`), no tags, no merge keys, no duplicate keys, one document, and bounds on depth,
+size and on what aliases may multiply. Depth is checked on the events, since building nested objects first
+would overflow the stack (PyYAML issue 895).
 """
 
 from __future__ import annotations
@@ -23,7 +24,8 @@ MAX_NODES = 1_000_000
 MAX_ALIASED_NODES = 100_000
 MAX_SHOWN = 40
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
-# libyaml where PyYAML was built with it (every wheel); the Python parser gives the same events, ten times slower.
+# libyaml where PyYAML was built with it (every wheel); the Python parser gives the same events, ten times
+# slower.
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _LINE_BREAK = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
 

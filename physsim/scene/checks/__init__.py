@@ -1,4 +1,4 @@
-"""Checks across a scene that need no geometry. Each is a function of the draft that yields problems by path."""
+"""Checks across a scene that need no geometry: functions of the draft that yield problems by path."""
 
 from __future__ import annotations
 

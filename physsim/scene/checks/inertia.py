@@ -14,8 +14,8 @@ ROUNDING = 1e-9
 def inertia_trouble(inertia: InertiaSpec) -> str | None:
     """What is impossible about the tensor, None when a body can have it.
 
-    Principal moments are positive, and none exceeds the sum of the other two, since each is an integral of the squared
-    distance from an axis (Goldstein, Classical Mechanics, 3rd ed., 2002, section 5.3).
+    Principal moments are positive, and none exceeds the sum of the other two, since each is an integral of
+    the squared distance from an axis (Goldstein, Classical Mechanics, 3rd ed., 2002, section 5.3).
     """
     low, middle, high = principal_moments(inertia)
     told = f"principal moments {low:g}, {middle:g}, {high:g} kg m^2"
@@ -27,7 +27,7 @@ def inertia_trouble(inertia: InertiaSpec) -> str | None:
 
 
 def principal_moments(inertia: InertiaSpec) -> tuple[float, float, float]:
-    """Eigenvalues of the tensor [kg m^2], rising, by the closed form for symmetric 3x3 (Smith 1961, CACM 4:168)."""
+    """Eigenvalues of the tensor [kg m^2], rising: closed form for symmetric 3x3 (Smith 1961, CACM 4:168)."""
     scale = max(inertia.xx, inertia.yy, inertia.zz, abs(inertia.xy), abs(inertia.xz), abs(inertia.yz))
     xx, yy, zz = inertia.xx / scale, inertia.yy / scale, inertia.zz / scale
     xy, xz, yz = inertia.xy / scale, inertia.xz / scale, inertia.yz / scale

@@ -34,7 +34,7 @@ class RampProfile(Spec):
 
 
 class TableProfile(Spec):
-    """Factor from a table of (time, factor), straight lines between, constant outside; t counts from the start."""
+    """Factor from a table of (time from the start, factor): straight lines between, constant outside."""
 
     type: Literal["table"]
     samples: Annotated[tuple[tuple[Time, PlainNumber], ...], Field(min_length=1, max_length=MAX_SAMPLES)] = (

@@ -1,4 +1,4 @@
-"""Joints between two bodies, or a body and the world. Anchors and axes are in the world frame at the start."""
+"""Joints between two bodies, or a body and the world; anchors and axes in the world frame at the start."""
 
 from __future__ import annotations
 

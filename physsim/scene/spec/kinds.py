@@ -1,7 +1,7 @@
 """What numbers in a scene measure: name, SI unit, dimension, usual units and the magnitudes that make sense.
 
-The bounds are far outside of anything mechanical (from atoms to stars); they keep products such as density times
-volume times length squared inside double precision.
+The bounds are far outside of anything mechanical (from atoms to stars); they keep products such as density
+times volume times length squared inside double precision.
 """
 
 from __future__ import annotations
@@ -13,13 +13,17 @@ from physsim.scene.units import PLAIN, Dimension, parse_unit
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of physical value; `smallest` bounds positive values from below, `largest` the magnitude from above."""
+    """A kind of physical value; positive ones are at least `smallest`, magnitudes at most `largest`.
+
+    any_unit: every dimension is taken.
+    """
 
     name: str
     unit: str
     usual: tuple[str, ...]
     smallest: float
     largest: float
+    any_unit: bool = False
 
     @property
     def dimension(self) -> Dimension:
@@ -29,11 +33,11 @@ class Kind:
     def wanted(self) -> str:
         """`a length (m, mm, cm, ...)`, for messages."""
         if not self.unit:
-            return f"{self.name}, without a unit"
+            return self.name if self.any_unit else f"{self.name} without a unit"
         return f"{self.name} in {self.unit}" + (f" (or {', '.join(self.usual)})" if self.usual else "")
 
 
-ANYTHING = Kind("a value in the unit of its quantity", "", (), 1e-300, 1e60)
+ANYTHING = Kind("a number with any unit", "", (), 1e-300, 1e60, any_unit=True)
 NUMBER = Kind("a number", "", (), 1e-300, 1e30)
 LENGTH = Kind("a length", "m", ("mm", "cm", "km", "in", "ft"), 1e-9, 1e15)
 MASS = Kind("a mass", "kg", ("g", "t", "lb"), 1e-18, 1e35)

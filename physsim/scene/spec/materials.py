@@ -34,10 +34,6 @@ class Color:
 
     def read(self, value: object) -> str:
         """The colour itself."""
-        if value is None:
-            raise slip(
-                'is empty: a colour starts with #, which begins a comment, so write it in quotes: "#d33"'
-            )
         digits = value[1:] if isinstance(value, str) and value.startswith("#") else ""
         if len(digits) not in (3, 6) or not all(c in "0123456789abcdefABCDEF" for c in digits):
             raise slip("must be a colour", allowed='"#rgb" or "#rrggbb" in hexadecimal digits')
@@ -45,7 +41,7 @@ class Color:
 
 
 class MaterialSpec(Spec):
-    """A material of the scene. What is left out comes from the built-in material of the same name, if there is one."""
+    """A material of the scene; what is left out comes from the built-in material of that name, if any."""
 
     density: Density | None = Field(
         default=None, description="Mass per volume [kg/m^3], greater than 0.", examples=["7.85 g/cm^3"]
@@ -65,7 +61,7 @@ class MaterialSpec(Spec):
 
 
 class PairSpec(Spec):
-    """Coefficients of two materials; this table is looked up first. What is left out comes from the next source."""
+    """Coefficients of two materials, looked up first; what is left out comes from the next source."""
 
     between: tuple[ItemName, ItemName] = Field(
         description="Names of the two materials, in either order; the same twice for a material on itself."
@@ -80,7 +76,7 @@ class PairSpec(Spec):
 
 
 class MixingSpec(Spec):
-    """How coefficients of two materials are combined when no table has the pair; `error` refuses such a scene."""
+    """How coefficients of two materials are combined when no table has the pair; `error` refuses it."""
 
     restitution: MixingRule = Field(default="minimum", description="Rule for restitution.")
     friction: MixingRule = Field(default="geometric_mean", description="Rule for both friction coefficients.")

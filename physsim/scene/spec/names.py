@@ -28,13 +28,8 @@ class Name:
     def __get_pydantic_json_schema__(
         self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        schema: dict[str, Any] = {
-            "type": "string",
-            "minLength": 1,
-            "maxLength": LONGEST,
-            "pattern": r"^[^*]+$",
-        }
-        return schema | ({"not": {"enum": list(self.reserved)}} if self.reserved else {})
+        refused: list[dict[str, Any]] = [{"pattern": r"\*"}, {"enum": list(self.reserved)}]
+        return {"type": "string", "minLength": 1, "maxLength": LONGEST, "not": {"anyOf": refused}}
 
     def read(self, value: object) -> str:
         """The name itself."""

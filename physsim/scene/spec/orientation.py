@@ -21,8 +21,10 @@ class OrientationSpec(Spec):
     model_config = ConfigDict(
         json_schema_extra={
             "oneOf": [
+                {"required": ["quaternion"]},
                 {"required": ["axis", "angle"]},
-                *({"required": [form]} for form in _FORMS if form != "axis"),
+                {"required": ["euler_xyz"]},
+                {"required": ["rotation_vector"]},
             ]
         }
     )

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class Reading:
-    """One validation: the parameters, and which model each mapping (by identity) was read as, for suggestions."""
+    """One validation: the parameters, and which model each mapping (by identity) was read as."""
 
     parameters: Parameters
     models: dict[int, type[BaseModel]] = field(default_factory=dict)

@@ -14,7 +14,7 @@ class RecordSpec(Spec):
 
     every: PositiveTime = Field(
         default=0.01,
-        description="Time between frames [s], a whole number of timesteps; when left out, 10 ms brought to the nearest.",
+        description="Time between frames [s], a whole number of timesteps; about 10 ms when left out.",
         examples=["10 ms"],
     )
     contacts: Switch = Field(default=True, description="Whether contacts and impacts are written.")

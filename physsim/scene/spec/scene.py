@@ -65,7 +65,7 @@ class _Named:
 
 
 class ParameterName:
-    """A word that can stand in an expression: letters, digits and underscores, no digit first, no function's name."""
+    """A word that can stand in an expression: letters, digits, underscores, no digit first, no function."""
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
@@ -75,7 +75,8 @@ class ParameterName:
     def __get_pydantic_json_schema__(
         self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        return {"type": "string", "pattern": r"^[^\W\d]\w{0,59}$", "not": {"enum": sorted(FUNCTIONS)}}
+        refused = [{"enum": sorted(FUNCTIONS)}, {"pattern": r"^[0-9]|[-\s+*/^()\[\]{},.$]"}]
+        return {"type": "string", "minLength": 1, "maxLength": 60, "not": {"anyOf": refused}}
 
     def read(self, value: str) -> str:
         """The name itself."""
@@ -121,7 +122,7 @@ Pattern = Annotated[str, Text(200)]
 
 
 class SceneSpec(Spec):
-    """A scene of physsim: bodies, what acts on them, how they are stepped through time, and what is recorded."""
+    """A scene of physsim: bodies, what acts on them, how time is stepped, and what is recorded."""
 
     model_config = ConfigDict(title="physsim scene, version 1")
 

@@ -1,4 +1,4 @@
-"""Shapes: `{type: box, size: [2 m, 2 m, 10 cm]}` and their kin. Lengths in metres, axes along the body's own z."""
+"""Shapes: `{type: box, size: [2 m, 2 m, 10 cm]}` and their kin. Lengths in metres, axes along z."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class CapsuleShape(Spec):
 
 
 class ConeShape(Spec):
-    """A solid cone along z, apex up; the origin is its centre of mass, a quarter of the height above the base."""
+    """A solid cone along z, apex up; the origin is its centre of mass, height / 4 above the base."""
 
     type: Literal["cone"]
     radius: Size = Field(description="Radius of the base [m], greater than 0.")
@@ -102,7 +102,7 @@ class MeshShape(Spec):
     )
     collision: Literal["hull", "pieces", "exact"] = Field(
         default="hull",
-        description="What collides: the convex hull, convex pieces, or the triangles themselves (fixed bodies only).",
+        description="What collides: its convex hull, convex pieces, or its triangles (fixed bodies only).",
     )
     inertia: Literal["solid", "shell", "hull"] = Field(
         default="solid", description="Where the mass is: inside, on the surface, or inside the convex hull."
@@ -110,7 +110,7 @@ class MeshShape(Spec):
 
 
 class ConvexShape(Spec):
-    """The convex hull of points, given here or as the vertices of a mesh file. Exactly one of points and file."""
+    """The convex hull of points: exactly one of points and file."""
 
     type: Literal["convex"]
     points: Annotated[tuple[Position, ...], Field(min_length=4, max_length=MAX_POINTS)] | None = Field(

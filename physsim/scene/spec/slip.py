@@ -7,6 +7,7 @@ from pydantic_core import PydanticCustomError
 from physsim.errors import PathPart
 
 CODE = "physsim"
+TOLD_ELSEWHERE = "physsim_told_elsewhere"
 
 
 def slip(
@@ -20,7 +21,8 @@ def slip(
     """An error for pydantic to collect.
 
     at: where below the value that is being validated; the place of the whole value when empty.
-    points_at_key: the caret goes to the key, since the trouble is that it is there, or what is missing beside it.
+    points_at_key: the caret goes to the key, since the trouble is that it is there, or what is missing beside
+    it.
     """
     context = {"message": message, "allowed": allowed, "hint": hint, "at": at, "points_at_key": points_at_key}
     return PydanticCustomError(CODE, "{message}", context)
@@ -28,4 +30,4 @@ def slip(
 
 def silent() -> PydanticCustomError:
     """An error that is told elsewhere already (a parameter that is wrong itself)."""
-    return PydanticCustomError("physsim_silent", "told elsewhere")
+    return PydanticCustomError(TOLD_ELSEWHERE, "told elsewhere")

@@ -17,7 +17,10 @@ _RATIO = "Damping over critical damping, at least 0; in place of damping."
 
 
 class LinearSpring(Spec):
-    """A spring and damper along the line between two points: force = -k (length - rest length) - c d(length)/dt."""
+    """A spring and damper along the line between two points.
+
+    Force along the line: -k (length - rest length) - c d(length)/dt.
+    """
 
     type: Literal["linear"]
     between: BodyPair = Field(description=_BETWEEN)
@@ -40,7 +43,10 @@ class LinearSpring(Spec):
 
 
 class TorsionalSpring(Spec):
-    """A spring and damper about an axis: torque = -k (angle - rest angle) - c d(angle)/dt; the angle is 0 as placed."""
+    """A spring and damper about an axis.
+
+    Torque about the axis: -k (angle - rest angle) - c d(angle)/dt; the angle is 0 as placed.
+    """
 
     type: Literal["torsional"]
     between: BodyPair = Field(description=_BETWEEN)

@@ -1,7 +1,8 @@
-"""Numbers, vectors, words and switches as they stand in scenes; each checks itself and describes itself in the schema.
+"""Numbers, vectors, words and switches as they stand in scenes; each checks itself and describes itself in
+the schema.
 
-Used as annotations: `radius: Annotated[float, Number(LENGTH, above=0)]`. A value is a bare number (SI), a number with
-its unit (`5 cm`) or an expression (`${2*drop}`); after validation it is a float in SI.
+Used as annotations: `radius: Annotated[float, Number(LENGTH, above=0)]`. A value is a bare number (SI), a
+number with its unit (`5 cm`) or an expression (`${2*drop}`); after validation it is a float in SI.
 """
 
 from __future__ import annotations
@@ -47,6 +48,14 @@ class Bounds:
             return f"must be at most {_told(self.at_most, unit)}"
         return None
 
+    def told(self) -> str:
+        """The bounds in words; nothing when there are none."""
+        names = ("above", "at least", "below", "at most")
+        values = (self.above, self.at_least, self.below, self.at_most)
+        return " ".join(
+            f"{name} {value:g}" for name, value in zip(names, values, strict=True) if value is not None
+        )
+
     def schema(self) -> Schema:
         """The bounds in JSON Schema."""
         names = ("exclusiveMinimum", "minimum", "exclusiveMaximum", "maximum")
@@ -81,11 +90,8 @@ class Number:
 
     def read(self, value: object, info: ValidationInfo) -> float:
         """The value in SI."""
-        number = float(value) if type(value) in (int, float) else self._parsed(value, info)  # type: ignore[arg-type]
+        number = value if isinstance(value, float) else in_kind(measure(value, info, self.kind), self.kind)
         return within(number, self.bounds, self.kind)
-
-    def _parsed(self, value: object, info: ValidationInfo) -> float:
-        return in_kind(measure(value, info, self.kind), self.kind)
 
 
 def measure(value: object, info: ValidationInfo, kind: Kind) -> Result:
@@ -103,7 +109,7 @@ def in_kind(result: Result, kind: Kind) -> float:
     """The SI value, when its dimension is that of the kind or none at all (a bare number is SI)."""
     given, wanted = result.measure.dimension, kind.dimension
     angle_free = not result.as_written and same(without_angle(given), without_angle(wanted))
-    if kind is kinds.ANYTHING or same(given, PLAIN) or fits(given, wanted) or angle_free:
+    if kind.any_unit or same(given, PLAIN) or fits(given, wanted) or angle_free:
         return result.measure.value
     raise slip(f"must be {kind.name}, not a value in {dimension_text(given)}", allowed=kind.wanted())
 
@@ -129,13 +135,14 @@ def _told(bound: float, unit: str) -> str:
 
 def number_schema(kind: Kind, bounds: Bounds) -> Schema:
     """A number, or text with a unit or an expression."""
-    unit = r"\s*[A-Za-zµμ°%(1].*" if kind.unit or kind is kinds.ANYTHING else r"\s*%?"
+    unit = r"\s*[A-Za-zµμ°%(1].*" if kind.unit or kind.any_unit else r"\s*%?"
     text = {
         "type": "string",
         "pattern": f"^({_NUMBER_PATTERN}({unit})?|{_EXPRESSION_PATTERN}.*)\\s*$",
         "description": f"{kind.wanted()}, or an expression in ${{...}}",
     }
-    return {"anyOf": [{"type": "number", **bounds.schema()}, text]}
+    title = " ".join([kind.name.partition(" ")[2], bounds.told()]).strip()
+    return {"title": title, "anyOf": [{"type": "number", **bounds.schema()}, text]}
 
 
 @dataclass(frozen=True)
@@ -155,10 +162,11 @@ class Whole:
     ) -> Schema:
         whole = {"type": "integer", "minimum": self.at_least, "maximum": self.at_most}
         return {
+            "title": f"whole number {self.at_least} to {self.at_most}",
             "anyOf": [
                 whole,
                 {"type": "string", "pattern": f"^({_NUMBER_PATTERN}|{_EXPRESSION_PATTERN})\\s*$"},
-            ]
+            ],
         }
 
     def read(self, value: object, info: ValidationInfo) -> int:
@@ -234,7 +242,7 @@ class Direction:
 
 
 def normalized(vector: tuple[float, ...]) -> tuple[float, ...]:
-    """The vector at length 1; left as it is when it has that length already, so that reading twice changes nothing."""
+    """The vector at length 1; left alone when it has that length, so that reading twice changes nothing."""
     largest = max(abs(component) for component in vector)
     if largest == 0:
         raise slip("must not be zero: it gives a direction")

@@ -19,5 +19,5 @@ class WorldSpec(Spec):
     )
     gravitation: Annotated[float, Number(kinds.GRAVITATION, at_least=0)] = Field(
         default=0.0,
-        description="Constant of the pairwise attraction between bodies [m^3/(kg s^2)], at least 0; 0 turns it off.",
+        description="Constant G of attraction between bodies [m^3/(kg s^2)], at least 0; 0 turns it off.",
     )
