@@ -81,7 +81,9 @@ pub(crate) fn overlay(
     };
     match (a.len(), b.len()) {
         (0, _) | (_, 0) => {}
-        (1, _) | (_, 1) => point_over(a, b, &mut emit),
+        (1, 1..=2) | (2, 1) => point_over(a, b, &mut emit),
+        (1, _) => point_over_polygon(a[0], b, |p, h| emit(p.x, p.y, p.z, h)),
+        (_, 1) => point_over_polygon(b[0], a, |p, h| emit(p.x, p.y, h, p.z)),
         (2, 2) => segments(a, b, &mut emit),
         (2, _) => segment_over_polygon(a, b, |p, h| emit(p.x, p.y, p.z, h)),
         (_, 2) => segment_over_polygon(b, a, |p, h| emit(p.x, p.y, h, p.z)),
@@ -118,7 +120,7 @@ fn keep_nearest_edge(points: &mut Vec<DVec3>, toward: f64) {
     points.extend(edge);
 }
 
-/// One feature is a point: the gap between the nearest heights, at the point (midway between two points).
+/// A point and a point or segment: the gap between the nearest heights, at the point (midway between two points).
 fn point_over(a: &[DVec3], b: &[DVec3], emit: &mut impl FnMut(f64, f64, f64, f64)) {
     let above = a.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
     let below = b.iter().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
@@ -128,6 +130,14 @@ fn point_over(a: &[DVec3], b: &[DVec3], emit: &mut impl FnMut(f64, f64, f64, f64
         _ => b[0],
     };
     emit(p.x, p.y, above, below);
+}
+
+/// A point inside a polygon.
+fn point_over_polygon(p: DVec3, polygon: &[DVec3], mut emit: impl FnMut(DVec3, f64)) {
+    let inside = |side: Side| side.inside(p) >= -side.rounding;
+    if sides(polygon).all(inside) {
+        emit(p, Surface::of_polygon(polygon).height(p));
+    }
 }
 
 /// Crossing segments touch in one point, parallel ones along the part that they share (2 points).
@@ -168,17 +178,14 @@ fn segment_over_polygon(segment: &[DVec3], polygon: &[DVec3], mut emit: impl FnM
     let (p, d) = (segment[0], segment[1] - segment[0]);
     let surface = Surface::of_polygon(polygon);
     let (mut first, mut last) = (0.0f64, 1.0f64);
-    for (i, corner) in polygon.iter().enumerate() {
-        let side = Side::new(*corner, polygon[(i + 1) % polygon.len()]);
+    for side in sides(polygon) {
         let (start, end) = (side.inside(p), side.inside(p + d));
-        if start < 0.0 && end < 0.0 {
-            if start.max(end) < -side.rounding {
-                return;
-            }
-        } else if start < 0.0 {
-            first = first.max(start / (start - end));
-        } else if end < 0.0 {
-            last = last.min(start / (start - end));
+        let crossing = unit_interval(start / (start - end));
+        match (start >= -side.rounding, end >= -side.rounding) {
+            (true, true) => {}
+            (false, false) => return,
+            (false, true) => first = first.max(crossing),
+            (true, false) => last = last.min(crossing),
         }
     }
     if first > last + ROUNDING {
@@ -205,8 +212,8 @@ fn polygons(
     let Buffers { from, to } = buffers;
     from.clear();
     from.extend_from_slice(a);
-    for (i, corner) in b.iter().enumerate() {
-        cut(from, &Side::new(*corner, b[(i + 1) % b.len()]), to);
+    for side in sides(b) {
+        cut(from, &side, to);
         std::mem::swap(from, to);
     }
     for (i, p) in from.iter().enumerate() {
@@ -217,6 +224,12 @@ fn polygons(
             emit(p.x, p.y, on_a.height(*p), on_b.height(*p));
         }
     }
+}
+
+/// Edges of a counter-clockwise polygon.
+fn sides(polygon: &[DVec3]) -> impl Iterator<Item = Side> + '_ {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().zip(next).map(|(p, q)| Side::new(*p, *q))
 }
 
 /// The part of a polygon on the inner side of a line.

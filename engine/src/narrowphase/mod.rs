@@ -5,15 +5,20 @@
 //! in this direction over one another (`features`, `clip`) and measure each point's gap along it.
 
 mod box_box;
+mod capsule;
 mod clip;
 mod closest;
 mod features;
 mod halfspace;
+mod polytope;
 mod reduce;
+mod sat;
 mod sphere;
+mod triangle_mesh;
 
 use crate::shape::{Pose, Shape};
 use glam::DVec3;
+use triangle_mesh::PosedMesh;
 
 /// One point of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +45,10 @@ pub enum Verdict {
 pub struct Scratch {
     feature_a: Vec<DVec3>,
     feature_b: Vec<DVec3>,
+    polytope_a: polytope::Polytope,
+    polytope_b: polytope::Polytope,
     clip: clip::Buffers,
+    triangles: Vec<u32>,
     points: Vec<ContactPoint>,
 }
 
@@ -142,12 +150,15 @@ pub fn manifold(
 
 /// Whether `collide` answers this pair of shapes itself.
 pub fn has_kernel(a: &Shape, b: &Shape) -> bool {
+    use Shape::{Box, Capsule, Ellipsoid, HalfSpace, Hull, Mesh, Rod, Sphere, Triangle};
     let (low, high) = if rank(a) <= rank(b) { (a, b) } else { (b, a) };
     match (low, high) {
-        (_, Shape::HalfSpace) => true,
-        (Shape::Sphere { .. }, Shape::Ellipsoid { .. }) => false,
-        (Shape::Sphere { .. }, _) => high.is_convex(),
-        (Shape::Box { .. }, Shape::Box { .. }) => true,
+        (_, HalfSpace) | (Mesh(_), Mesh(_)) => true,
+        (Sphere { .. }, _) => !matches!(high, Ellipsoid { .. }),
+        (Capsule { .. } | Rod { .. }, Capsule { .. } | Rod { .. }) => true,
+        (Capsule { .. } | Rod { .. } | Box { .. } | Hull(_) | Triangle(_), _) => {
+            matches!(high, Box { .. } | Hull(_) | Triangle(_) | Mesh(_))
+        }
         _ => false,
     }
 }
@@ -194,22 +205,53 @@ fn rank(shape: &Shape) -> u8 {
 }
 
 fn kernel(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
+    use Shape::{Box, Capsule, HalfSpace, Mesh, Rod, Sphere};
     match (a.shape, b.shape) {
-        (_, Shape::HalfSpace) => halfspace::collide(a, &b.pose, scratch, sink),
-        (Shape::Sphere { radius }, _) => sphere::collide(*radius, &a.pose, b, sink),
-        (Shape::Box { half: half_a }, Shape::Box { half: half_b }) => {
+        (_, HalfSpace) => halfspace::collide(a, &b.pose, scratch, sink),
+        (Mesh(_), _) => {}
+        (_, Mesh(mesh)) => {
+            triangle_mesh::collide(a, &PosedMesh { mesh, pose: b.pose }, scratch, sink)
+        }
+        (Sphere { radius }, _) => sphere::collide(*radius, &a.pose, b, sink),
+        (Capsule { .. } | Rod { .. }, Capsule { .. } | Rod { .. }) => {
+            capsule::against_capsule(a, b, &mut scratch.points, sink)
+        }
+        (Capsule { .. } | Rod { .. }, _) => capsule::against_polytope(a, b, scratch, sink),
+        (Box { half: half_a }, Box { half: half_b }) => {
             if let Some(normal) =
                 box_box::separating_axis(*half_a, &a.pose, *half_b, &b.pose, sink.margin)
             {
                 along(a, b, normal, scratch, sink);
             }
         }
-        _ => {}
+        _ => polytopes(a, b, scratch, sink),
     }
 }
 
-/// The contact along a known normal: features that face each other, clipped against one another.
+/// Box, hull and triangle against each other.
+fn polytopes(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
+    let Scratch {
+        polytope_a,
+        polytope_b,
+        ..
+    } = scratch;
+    if polytope_a.load(a) && polytope_b.load(b) {
+        if let Some(axis) = sat::separating_axis(polytope_a, polytope_b, sink.margin) {
+            along(a, b, axis.normal, scratch, sink);
+        }
+    }
+}
+
+/// The contact along the axis of least overlap of two polytopes.
 fn along(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut Sink) {
+    if !overlay(a, b, normal, scratch, sink) {
+        overlapping_supports(a, b, normal, sink);
+    }
+}
+
+/// Lays the features that face each other along a normal over one another: at most 8 points. False when that
+/// gives no point.
+fn overlay(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut Sink) -> bool {
     features::facing(a, -normal, &mut scratch.feature_a);
     features::facing(b, normal, &mut scratch.feature_b);
     let start = sink.out.len();
@@ -220,10 +262,8 @@ fn along(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut 
         &mut scratch.clip,
         sink,
     );
-    reduce::spread(sink.out, start, 8, &mut scratch.points);
-    if sink.out.len() == start {
-        overlapping_supports(a, b, normal, sink);
-    }
+    reduce::spread(sink.out, start, 8, 0.0, &mut scratch.points);
+    sink.out.len() > start
 }
 
 /// Last resort where the features miss each other though the shapes overlap: one point between the two supports.

@@ -119,9 +119,10 @@ fn moving_the_whole_scene_moves_the_answer() {
                 normal: motion.inverse_direction(p.normal),
                 depth: p.depth,
             });
+            let back: Vec<_> = back.collect();
             assert!(
-                nearly_deepest(&here, &back.collect::<Vec<_>>()),
-                "{a:?} {b:?}"
+                nearly_deepest(&here, &back),
+                "{a:?} {b:?}\n{here:?}\n{back:?}"
             );
         }
     }

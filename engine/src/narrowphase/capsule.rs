@@ -1,0 +1,186 @@
+//! Capsules and rods (capsules of radius 0): segments with a skin.
+
+use super::closest::{closest, on_segment};
+use super::polytope::Polytope;
+use super::{reduce, sat, ContactPoint, Posed, Scratch, Sink};
+use crate::shape::Shape;
+use glam::DVec3;
+
+/// Segments within this angle (sine) touch along a line.
+const PARALLEL: f64 = 0.05;
+/// Shares of the size that are rounding.
+const ROUNDING: f64 = 1e-10;
+
+/// A segment and the radius around it.
+#[derive(Clone, Copy)]
+struct Core {
+    ends: [DVec3; 2],
+    radius: f64,
+}
+
+impl Core {
+    fn of(a: &Posed) -> Self {
+        let (half, radius) = match a.shape {
+            Shape::Capsule {
+                radius,
+                half_height,
+            } => (*half_height, *radius),
+            Shape::Rod { half_length } => (*half_length, 0.0),
+            _ => (0.0, 0.0),
+        };
+        let arm = a.pose.rotation.z_axis * half;
+        Self {
+            ends: [a.pose.position + arm, a.pose.position - arm],
+            radius,
+        }
+    }
+
+    fn along(&self) -> DVec3 {
+        self.ends[1] - self.ends[0]
+    }
+}
+
+/// Capsule or rod against capsule or rod: the nearest points of both segments; nearly parallel ones also touch
+/// at both ends of the part that they share.
+pub(crate) fn against_capsule(a: &Posed, b: &Posed, kept: &mut Vec<ContactPoint>, sink: &mut Sink) {
+    let (a, b) = (Core::of(a), Core::of(b));
+    let (da, db) = (a.along(), b.along());
+    let cross = da.cross(db);
+    let fallback = perpendicular(cross, da, db);
+    let start = sink.out.len();
+    let [p, q] = nearest_of_segments(a.ends, b.ends);
+    between(p, q, &a, &b, fallback, sink);
+    if cross.length_squared() <= PARALLEL * PARALLEL * da.length_squared() * db.length_squared() {
+        let over_b = a.ends.into_iter().filter_map(|p| Some([p, beside(p, &b)?]));
+        let under_a = b.ends.into_iter().filter_map(|q| Some([beside(q, &a)?, q]));
+        over_b
+            .chain(under_a)
+            .for_each(|[p, q]| between(p, q, &a, &b, fallback, sink));
+    }
+    reduce::spread(
+        sink.out,
+        start,
+        3,
+        ROUNDING * (da.length() + db.length()),
+        kept,
+    );
+}
+
+/// The nearest point of a segment, if it is not one of its ends seen askew.
+fn beside(p: DVec3, core: &Core) -> Option<DVec3> {
+    let d = core.along();
+    let t = (p - core.ends[0]).dot(d) / d.length_squared();
+    (t > -ROUNDING && t < 1.0 + ROUNDING).then(|| core.ends[0] + t.clamp(0.0, 1.0) * d)
+}
+
+/// Contact of balls about p and q: the surfaces lie at p - r_A n and q + r_B n.
+fn between(p: DVec3, q: DVec3, a: &Core, b: &Core, fallback: DVec3, sink: &mut Sink) {
+    let normal = (p - q).try_normalize().unwrap_or(fallback);
+    let position = 0.5 * (p + q + (b.radius - a.radius) * normal);
+    sink.push(position, normal, a.radius + b.radius - p.distance(q));
+}
+
+/// Some direction across both segments, for segments that cross in a point.
+fn perpendicular(cross: DVec3, da: DVec3, db: DVec3) -> DVec3 {
+    let along = if da.length_squared() > 0.0 { da } else { db };
+    let across = || {
+        along
+            .try_normalize()
+            .map_or(DVec3::Z, |d| d.any_orthonormal_vector())
+    };
+    cross.try_normalize().unwrap_or_else(across)
+}
+
+/// Nearest points of two segments (Ericson 2005, section 5.1.9): minimise |p1 + s d1 - p2 - t d2|^2, clamp s, then t,
+/// then s again.
+pub(crate) fn nearest_of_segments([p1, q1]: [DVec3; 2], [p2, q2]: [DVec3; 2]) -> [DVec3; 2] {
+    let (d1, d2, r) = (q1 - p1, q2 - p2, p1 - p2);
+    let (a, e, b) = (d1.length_squared(), d2.length_squared(), d1.dot(d2));
+    let determinant = a * e - b * b;
+    let s = if determinant > 1e-14 * a * e {
+        ((b * d2.dot(r) - d1.dot(r) * e) / determinant).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let on_second = on_segment(p1 + s * d1, p2, q2);
+    let on_first = on_segment(on_second, p1, q1);
+    [on_first, on_segment(on_first, p2, q2)]
+}
+
+/// Direction in which a capsule or rod is nearest to (or least inside) a polytope, with the nearest points while the
+/// segment is outside.
+pub(crate) struct Approach {
+    pub normal: DVec3,
+    pub points: Option<[DVec3; 2]>,
+}
+
+/// Inside: separating axes. Outside, the nearest points are an end of the segment and any point of the polytope, or a
+/// point of the segment and one of an edge. `scratch.polytope_b` must hold the polytope.
+pub(crate) fn approach(
+    a: &Posed,
+    b: &Posed,
+    scratch: &mut Scratch,
+    margin: f64,
+) -> Option<Approach> {
+    let core = Core::of(a);
+    let Scratch {
+        polytope_a,
+        polytope_b,
+        ..
+    } = scratch;
+    polytope_a.load(a);
+    let axis = sat::separating_axis(polytope_a, polytope_b, margin + core.radius)?;
+    let size = polytope_a.size + polytope_b.size + core.radius;
+    let [p, q] = nearest_outside(&core, b, polytope_b);
+    if axis.separation <= ROUNDING * size {
+        return Some(Approach {
+            normal: axis.normal,
+            points: None,
+        });
+    }
+    let normal = (p - q).normalize_or_zero();
+    (p.distance(q) < margin + core.radius).then_some(Approach {
+        normal,
+        points: Some([p, q]),
+    })
+}
+
+fn nearest_outside(core: &Core, b: &Posed, polytope: &Polytope) -> [DVec3; 2] {
+    let ends = core.ends.into_iter().filter_map(|end| {
+        let nearest = closest(b.shape, b.pose.inverse_point(end))?;
+        Some([
+            end,
+            end - nearest.distance * b.pose.direction(nearest.normal),
+        ])
+    });
+    let edges = polytope
+        .arcs
+        .iter()
+        .map(|arc| nearest_of_segments(core.ends, arc.ends));
+    let distance = |pair: &[DVec3; 2]| pair[0].distance_squared(pair[1]);
+    let nearer = |p, q| if distance(&q) < distance(&p) { q } else { p };
+    ends.chain(edges).reduce(nearer).unwrap_or(core.ends)
+}
+
+/// Capsule or rod against box, hull or triangle.
+pub(crate) fn against_polytope(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
+    scratch.polytope_b.load(b);
+    let Some(found) = approach(a, b, scratch, sink.margin) else {
+        return;
+    };
+    if !super::overlay(a, b, found.normal, scratch, sink) {
+        touch(a, b, &found, sink);
+    }
+}
+
+/// The nearest points alone, where the features miss each other: a corner or an edge beside the segment.
+fn touch(a: &Posed, b: &Posed, found: &Approach, sink: &mut Sink) {
+    match found.points {
+        Some([p, q]) => {
+            let radius = Core::of(a).radius;
+            let surface = p - radius * found.normal;
+            sink.push(0.5 * (surface + q), found.normal, radius - p.distance(q));
+        }
+        None => super::overlapping_supports(a, b, found.normal, sink),
+    }
+}

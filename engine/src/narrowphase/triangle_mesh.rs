@@ -1,0 +1,192 @@
+//! A convex shape against a fixed surface of triangles, taken exactly.
+//!
+//! Triangle by triangle, with two rules that make the triangles act as one surface. A contact on an edge or corner
+//! stands only where the surface around it stays below the contact plane; else the triangle's own normal is taken, so
+//! that inner edges of flat and concave regions do not catch. And triangles push outward only: those that have the
+//! shape's centre behind them are left alone, unless no triangle has it in front, i.e. the centre is inside the solid.
+
+use super::{capsule, closest, overlay, reduce, sat, ContactPoint, Posed, Scratch, Sink};
+use crate::shape::{Pose, Shape, TriangleFeature, TriangleMesh};
+use glam::DVec3;
+
+/// Contact points of one shape with one mesh at most.
+const LIMIT: usize = 32;
+/// Corners this near to the highest, as a share of the triangle's size, belong to the touched feature.
+const SUPPORT_TOLERANCE: f64 = 1e-6;
+/// Points of neighbouring triangles nearer than this share of the shape's size are one.
+const RESOLUTION: f64 = 1e-6;
+/// Triangles within this cosine of the way out push together when the centre is inside the solid.
+const SAME_WAY: f64 = 0.99;
+
+/// A mesh at its place.
+#[derive(Clone, Copy)]
+pub(crate) struct PosedMesh<'a> {
+    pub mesh: &'a TriangleMesh,
+    pub pose: Pose,
+}
+
+impl PosedMesh<'_> {
+    fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.mesh.corners(triangle).map(|c| self.pose.point(c))
+    }
+
+    fn normal(&self, triangle: u32) -> DVec3 {
+        self.pose.direction(self.mesh.normal(triangle))
+    }
+
+    /// Height of a point above the triangle's plane.
+    fn height(&self, triangle: u32, p: DVec3) -> f64 {
+        self.normal(triangle).dot(p - self.corners(triangle)[0])
+    }
+}
+
+/// All triangles near a sphere, capsule, rod, box or hull.
+pub(crate) fn collide(a: &Posed, b: &PosedMesh, scratch: &mut Scratch, sink: &mut Sink) {
+    let mut near = std::mem::take(&mut scratch.triangles);
+    near.clear();
+    nearby(a, b, sink.margin, &mut near);
+    let start = sink.out.len();
+    let center = a.pose.point(a.shape.center());
+    for &t in near.iter().filter(|&&t| b.height(t, center) > 0.0) {
+        touch(a, b, t, scratch, sink);
+    }
+    if sink.out.len() == start {
+        from_inside(a, b, &near, scratch, sink);
+    }
+    scratch.triangles = near;
+    reduce_points(a, sink.out, start, &mut scratch.points);
+}
+
+/// Triangles whose boxes reach into the box around a shape.
+pub(crate) fn nearby(a: &Posed, b: &PosedMesh, margin: f64, out: &mut Vec<u32>) {
+    let box_of_a = a.shape.aabb(&b.pose.relative(&a.pose));
+    b.mesh.overlapping(&box_of_a.expanded(margin), out);
+}
+
+/// Keeps at most 32 of the points from `start` on.
+pub(crate) fn reduce_points(
+    a: &Posed,
+    points: &mut Vec<ContactPoint>,
+    start: usize,
+    kept: &mut Vec<ContactPoint>,
+) {
+    let resolution = RESOLUTION * a.shape.bounding_radius();
+    reduce::by_normal(points, start, LIMIT, resolution, kept);
+}
+
+/// One triangle with the centre in front.
+fn touch(a: &Posed, b: &PosedMesh, triangle: u32, scratch: &mut Scratch, sink: &mut Sink) {
+    let shape = Shape::Triangle(b.corners(triangle));
+    let piece = Posed {
+        shape: &shape,
+        pose: Pose::IDENTITY,
+    };
+    if let Some(normal) = direction(a, &piece, scratch, sink.margin) {
+        along(a, b, triangle, normal, scratch, sink);
+    }
+}
+
+/// The contact with one triangle along the allowed normal nearest to the given one.
+pub(crate) fn along(
+    a: &Posed,
+    b: &PosedMesh,
+    triangle: u32,
+    normal: DVec3,
+    scratch: &mut Scratch,
+    sink: &mut Sink,
+) {
+    let corners = b.corners(triangle);
+    let allowed = b.mesh.is_supporting(
+        triangle,
+        touched(&corners, normal),
+        b.pose.inverse_direction(normal),
+    ) && normal.dot(b.normal(triangle)) >= -SUPPORT_TOLERANCE;
+    let normal = if allowed { normal } else { b.normal(triangle) };
+    let shape = Shape::Triangle(corners);
+    let piece = Posed {
+        shape: &shape,
+        pose: Pose::IDENTITY,
+    };
+    if !overlay(a, &piece, normal, scratch, sink) && allowed {
+        nearest_supports(a, &piece, normal, sink);
+    }
+}
+
+/// The direction from the triangle to the shape; None when they are farther apart than the margin.
+fn direction(a: &Posed, piece: &Posed, scratch: &mut Scratch, margin: f64) -> Option<DVec3> {
+    match a.shape {
+        Shape::Sphere { radius } => {
+            let nearest = closest::closest(piece.shape, a.pose.position)?;
+            (nearest.distance < radius + margin).then_some(nearest.normal)
+        }
+        Shape::Capsule { .. } | Shape::Rod { .. } => {
+            scratch.polytope_b.load(piece);
+            capsule::approach(a, piece, scratch, margin).map(|found| found.normal)
+        }
+        _ => {
+            scratch.polytope_b.load(piece);
+            scratch.polytope_a.load(a);
+            sat::separating_axis(&scratch.polytope_a, &scratch.polytope_b, margin)
+                .map(|axis| axis.normal)
+        }
+    }
+}
+
+/// Part of a triangle that is farthest along a normal.
+fn touched(corners: &[DVec3; 3], normal: DVec3) -> TriangleFeature {
+    let heights = corners.map(|c| normal.dot(c));
+    let top = heights.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    let size = corners[1].distance(corners[0]) + corners[2].distance(corners[0]);
+    let on_top = heights.map(|h| h >= top - SUPPORT_TOLERANCE * size);
+    match on_top {
+        [true, false, false] => TriangleFeature::Corner(0),
+        [false, true, false] => TriangleFeature::Corner(1),
+        [false, false, true] => TriangleFeature::Corner(2),
+        [true, true, false] => TriangleFeature::Edge(0),
+        [false, true, true] => TriangleFeature::Edge(1),
+        [true, false, true] => TriangleFeature::Edge(2),
+        _ => TriangleFeature::Face,
+    }
+}
+
+/// Where features that touch in an edge or corner miss each other by rounding.
+fn nearest_supports(a: &Posed, piece: &Posed, normal: DVec3, sink: &mut Sink) {
+    let (p, q) = (a.support(-normal), piece.support(normal));
+    let gap = normal.dot(p - q);
+    let beside = (p - q - gap * normal).length();
+    if beside <= SUPPORT_TOLERANCE * a.shape.bounding_radius() {
+        sink.push((p + q) * 0.5, normal, -gap);
+    }
+}
+
+/// The centre is inside: out through the triangle over it that is nearest, and all that face the same way.
+fn from_inside(a: &Posed, b: &PosedMesh, near: &[u32], scratch: &mut Scratch, sink: &mut Sink) {
+    let center = a.pose.point(a.shape.center());
+    let depth = |t: u32| {
+        let height = b.height(t, center);
+        let on_plane = center - height * b.normal(t);
+        let over = closest::closest(&Shape::Triangle(b.corners(t)), on_plane);
+        let beside = over.map_or(f64::INFINITY, |c| c.distance);
+        (beside <= RESOLUTION * a.shape.bounding_radius()).then_some(-height)
+    };
+    let ways = near.iter().filter_map(|&t| Some((depth(t)?, t)));
+    let Some((_, out)) = ways.reduce(|best, way| if way.0 < best.0 { way } else { best }) else {
+        return;
+    };
+    for &t in near
+        .iter()
+        .filter(|&&t| b.mesh.normal(t).dot(b.mesh.normal(out)) > SAME_WAY)
+    {
+        let shape = Shape::Triangle(b.corners(t));
+        overlay(
+            a,
+            &Posed {
+                shape: &shape,
+                pose: Pose::IDENTITY,
+            },
+            b.normal(t),
+            scratch,
+            sink,
+        );
+    }
+}
