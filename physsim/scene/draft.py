@@ -30,9 +30,12 @@ from physsim.scene.spec.world import WorldSpec
 
 @dataclass(frozen=True)
 class Draft:
-    """The sections of a scene; None in the place of an entry, or of a section, that is wrong in itself."""
+    """The sections of a scene; None in the place of an entry, or of a section, that is wrong in itself.
 
-    folder: Path
+    folder: where files are looked for; None when they are not to be looked for.
+    """
+
+    folder: Path | None
     world: WorldSpec | None = None
     simulation: SimulationSpec | None = None
     record: RecordSpec | None = None
@@ -62,12 +65,12 @@ _NAMED: dict[str, Any] = {
 _LISTED: dict[str, Any] = {"pairs": PairSpec, "no_contact": tuple[Pattern, Pattern], "expect": ExpectSpec}
 
 
-def draft_of(spec: SceneSpec, folder: Path) -> Draft:
+def draft_of(spec: SceneSpec, folder: Path | None) -> Draft:
     """The draft of a scene whose parts are all right in themselves."""
     return Draft(folder, **{name: getattr(spec, name) for name in (*_SINGLE, *_NAMED, *_LISTED)})
 
 
-def salvaged(data: Mapping[str, Any], reading: Reading, folder: Path) -> Draft:
+def salvaged(data: Mapping[str, Any], reading: Reading, folder: Path | None) -> Draft:
     """The draft of a scene some parts of which are wrong."""
     sections: dict[str, Any] = {}
     for name, kind in _SINGLE.items():

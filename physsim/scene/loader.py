@@ -44,12 +44,15 @@ def load_scene(
 def load_scene_text(
     text: str,
     name: str = "<scene>",
-    folder: str | PathLike[str] = ".",
+    folder: str | PathLike[str] | None = None,
     overrides: Overrides | None = None,
     warn: Warn | None = None,
 ) -> Scene:
-    """Read a scene from text; like `load_scene`, with files looked for in `folder`."""
-    return _load(_Source(text, name, None, Path(folder)), overrides, warn)
+    """Read a scene from text, like `load_scene`.
+
+    folder: where the files that it names are looked for; without one they are not looked for yet.
+    """
+    return _load(_Source(text, name, None, None if folder is None else Path(folder)), overrides, warn)
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,7 @@ class _Source:
     text: str
     name: str
     path: Path | None
-    folder: Path
+    folder: Path | None
 
 
 def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Scene:
@@ -81,7 +84,14 @@ def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Sc
     for warning in warnings if warn is not None else ():
         warn(warning)  # type: ignore[misc]
     return Scene(
-        spec, source.text, source.name, source.path, source.folder, told(overrides), warnings, places
+        spec,
+        source.text,
+        source.name,
+        source.path,
+        source.folder or Path(),
+        told(overrides),
+        warnings,
+        places,
     )
 
 
@@ -105,7 +115,7 @@ def _parameters(root: nodes.Mapping) -> Parameters:
 
 
 def _validated(
-    root: nodes.Mapping, reading: Reading, places: Places, folder: Path
+    root: nodes.Mapping, reading: Reading, places: Places, folder: Path | None
 ) -> tuple[SceneSpec | None, list[Problem]]:
     """The spec when its parts are right in themselves, and every problem, placed."""
     data: Any = nodes.plain(root)

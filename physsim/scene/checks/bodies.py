@@ -121,6 +121,8 @@ def _motion(path: Path, body: BodySpec) -> Iterator[Problem]:
 
 
 def _files(path: Path, body: BodySpec, draft: Draft) -> Iterator[Problem]:
+    if draft.folder is None:
+        return
     for below, file in files_of(body.shape):
         try:
             resolve_file(draft.folder, file)

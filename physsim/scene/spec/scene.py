@@ -27,6 +27,7 @@ from physsim.scene.spec.materials import MaterialSpec, MixingSpec, PairSpec
 from physsim.scene.spec.names import BodyName, ItemName
 from physsim.scene.spec.reading import reading_of
 from physsim.scene.spec.record import RecordSpec
+from physsim.scene.spec.schema_generator import SchemaGenerator
 from physsim.scene.spec.simulation import SimulationSpec
 from physsim.scene.spec.slip import silent, slip
 from physsim.scene.spec.springs import SpringSpec
@@ -163,6 +164,13 @@ class SceneSpec(Spec):
     )
     record: RecordSpec = Field(default_factory=RecordSpec, description="What is recorded.")
     expect: tuple[ExpectSpec, ...] = Field(default=(), description="What must hold after the run.")
+
+    @classmethod
+    def model_json_schema(cls, *arguments: Any, **options: Any) -> dict[str, Any]:
+        """The schema of scenes (JSON Schema, draft 2020-12); arguments are those of pydantic."""
+        if len(arguments) < 3:
+            options.setdefault("schema_generator", SchemaGenerator)
+        return super().model_json_schema(*arguments, **options)
 
     @property
     def steps_per_frame(self) -> int:
