@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 from collections.abc import Iterator
 from typing import Any, Literal, get_args, get_origin
 
@@ -11,9 +12,10 @@ from pydantic_core import PydanticUndefined
 
 from physsim.scene import SceneSpec
 from physsim.scene.spec.base import Spec
+from physsim.scene.spec.names import Name
 from physsim.scene.spec.values import Bounds, Number, Whole
 
-EMPTY = ({}, (), [], None)
+EMPTY = ({}, (), [], None, "")
 
 
 def as_markdown() -> str:
@@ -97,7 +99,14 @@ def values(annotation: Any, metadata: list[Any]) -> list[str]:
             return [f"{mark.kind.unit or 'number'}{span(mark.bounds)}"]
         if isinstance(mark, Whole):
             return [f"whole number{span(Bounds(at_least=mark.at_least, at_most=mark.at_most))}"]
-    return unmarked(annotation)
+        if isinstance(mark, Name):
+            return ["name"]
+    return unmarked(getattr(annotation, "__origin__", annotation) if is_marked(annotation) else annotation)
+
+
+def is_marked(annotation: Any) -> bool:
+    """Whether it is `Annotated[...]`."""
+    return hasattr(annotation, "__metadata__")
 
 
 def unmarked(annotation: Any) -> list[str]:
@@ -116,28 +125,29 @@ def unmarked(annotation: Any) -> list[str]:
 def listed(parts: tuple[Any, ...]) -> str:
     """A list of equal parts: how many, and what each is."""
     each = " or ".join(values(parts[0], []))
-    return (
-        f"list, each {each}"
-        if Ellipsis in parts
-        else f"[{', '.join(' or '.join(values(p, [])) for p in parts)}]"
-    )
+    return f"list, each {each}" if Ellipsis in parts else f"list of {len(parts)}, each {each}"
 
 
 def plain(annotation: Any) -> str:
     """A type without further marks."""
     if inspect.isclass(annotation) and issubclass(annotation, Spec):
         return "mapping, see below"
-    return {bool: "`true` or `false`", str: "text", float: "number", int: "whole number"}.get(
-        annotation, "any"
-    )
+    return {bool: "`true` or `false`", str: "text", float: "number", int: "whole number"}[annotation]
 
 
 def span(bounds: Bounds) -> str:
     """`, > 0`, `, 0 to 1`; nothing when every number is allowed."""
     if bounds.at_least is not None and bounds.at_most is not None:
-        return f", {bounds.at_least:g} to {bounds.at_most:g}"
+        return f", {figure(bounds.at_least)} to {figure(bounds.at_most)}"
     signs = ((">", bounds.above), ("≥", bounds.at_least), ("<", bounds.below), ("≤", bounds.at_most))
-    return "".join(f", {sign} {value:g}" for sign, value in signs if value is not None)
+    return "".join(f", {sign} {figure(value)}" for sign, value in signs if value is not None)
+
+
+def figure(value: float) -> str:
+    """Whole numbers in full, pi by name, others short."""
+    if value == math.pi:
+        return "π"
+    return str(int(value)) if value == int(value) else f"{value:g}"
 
 
 def default(field: FieldInfo) -> str:

@@ -24,7 +24,7 @@ SHELLS = ("bash", "zsh", "fish")
         ),
     ],
 )
-@click.argument("shell", type=click.Choice(SHELLS))
+@click.argument("shell", metavar="SHELL", type=click.Choice(SHELLS))
 @debug_option
 @click.pass_context
 def command(ctx: click.Context, shell: str) -> None:

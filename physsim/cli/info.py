@@ -52,13 +52,18 @@ def command(file: str, overrides: tuple[str, ...], as_json: bool) -> None:
 
 
 def is_trajectory(path: Path) -> bool:
-    """Whether the content is HDF5. Raises FileTrouble for a file that is neither that nor text."""
+    """Whether the content is HDF5, or the file is still in its making (NAME.part).
+
+    Raises FileTrouble for a file that is neither that nor text.
+    """
     try:
         with path.open("rb") as file:
             head = file.read(HEAD_BYTES)
     except IsADirectoryError:
         raise FileTrouble(f"{path}: is a folder; name a scene or a trajectory in it") from None
     except FileNotFoundError:
+        if path.with_name(path.name + ".part").exists():
+            return True
         raise FileTrouble(f"{path}: no such file") from None
     if head.startswith(HDF5_SIGNATURE):
         return True

@@ -1,5 +1,7 @@
 """What `physsim info` says of a scene: masses and where they come from, pairs of materials, overlaps."""
 
+# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
+
 from __future__ import annotations
 
 from collections.abc import Sequence
@@ -14,6 +16,7 @@ from physsim.cli.table import number, table, vector
 if TYPE_CHECKING:
     from physsim.model import Model
     from physsim.scene import Scene
+    from physsim.simulation.overlaps import Overlap
 
 Facts = dict[str, Any]
 
@@ -22,22 +25,25 @@ def show(file: str, overrides: Sequence[str], as_json: bool) -> None:
     """Load, compile and describe; raises SceneError and FileTrouble as those do."""
     from physsim.model import compile_scene
     from physsim.scene import load_scene
+    from physsim.simulation.overlaps import find_overlaps
 
     scene = load_scene(file, overrides=overrides)
     model = compile_scene(scene)
+    overlaps = find_overlaps(model)
+    warnings = (*scene.warnings, *model.warnings)
     facts = {
         "file": file,
         "scene": scene_facts(scene, model),
         "bodies": [body_facts(model, index) for index in range(len(model.body_names))],
         "pairs": pair_facts(model),
-        "overlaps": overlap_facts(model),
+        "overlaps": [overlap_facts(overlap) for overlap in overlaps],
     }
     if as_json:
-        output.document("info", 0, **facts, problems=problems.as_data(model.warnings, file))
+        output.document("info", 0, **facts, problems=problems.as_data(warnings, file))
         return
     output.result(as_text(facts))
-    if model.warnings:
-        output.message(problems.as_text(model.warnings, file))
+    if warnings:
+        output.message(problems.as_text(warnings, file))
 
 
 def scene_facts(scene: Scene, model: Model) -> Facts:
@@ -94,6 +100,15 @@ def pair_facts(model: Model) -> list[Facts]:
         }
         for i, j in combinations_with_replacement(range(len(names)), 2)
     ]
+
+
+def overlap_facts(overlap: Overlap) -> Facts:
+    """Two bodies, the depth [m] and where it is greatest [m]."""
+    return {
+        "between": [overlap.body_a, overlap.body_b],
+        "depth": overlap.depth,
+        "position": list(overlap.position),
+    }
 
 
 def as_text(facts: Facts) -> str:

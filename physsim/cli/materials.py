@@ -1,8 +1,9 @@
 """`physsim materials`: the built-in library, with a source for each number."""
 
+# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
+
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from itertools import combinations
@@ -139,16 +140,13 @@ class StandIn:
 
     @classmethod
     def of(cls, unknown: UnknownPair) -> StandIn:
-        """Friction is put where it stays in order: static above, kinetic below whatever the other may be."""
-        harmless = {"restitution": 0.0, "static_friction": math.inf, "kinetic_friction": 0.0}
-        return cls(
-            unknown.between, *(harmless[name] if name in unknown.missing else None for name in NUMBERS)
-        )
+        """0 for what is missing; of the friction coefficients it is both or none, so they stay in order."""
+        return cls(unknown.between, *(0.0 if name in unknown.missing else None for name in NUMBERS))
 
 
 def resolve(a: str, b: str) -> tuple[ResolvedPair, dict[str, str]]:
     """The pair under the scene language's default mixing rules, and why a number of it is not known."""
-    from physsim.scene import MixingSpec
+    from physsim.scene.spec.materials import MixingSpec
 
     mixing = MixingSpec()
     try:

@@ -1,5 +1,7 @@
 """How a call ends: every error becomes a message in plain words and one of the promised exit codes."""
 
+# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
+
 from __future__ import annotations
 
 import os
@@ -29,7 +31,7 @@ def tell(error: BaseException, wishes: Settings) -> int:
     code, text = explain(error)
     if wishes.json:
         found = problems.as_data(error.problems, error.file) if isinstance(error, SceneError) else []
-        output.document(wishes.command, code, error=text, problems=found)
+        output.document(wishes.command, code, **wishes.known, error=text, problems=found)
     elif isinstance(error, SceneError):
         output.message(problems.as_text(error.problems, error.file))
     else:

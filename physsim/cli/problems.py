@@ -1,9 +1,6 @@
-"""Mistakes in scenes, as people and as programs read them.
+"""Mistakes in scenes with colours: words, place and caret are those of `physsim.scene.problems`."""
 
-scene.yaml:14:7: bodies.ball.shape.radius: must be greater than 0, got -1
-   14 |       radius: -1
-      |               ^
-"""
+# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
 
 from __future__ import annotations
 
@@ -12,10 +9,9 @@ from typing import Any
 
 import click
 
-from physsim.errors import Problem, dotted
+from physsim.errors import Problem
 
 COLOURS = {"error": "red", "warning": "yellow"}
-WIDEST_LINE = 200
 
 
 def as_text(problems: Sequence[Problem], file: str) -> str:
@@ -24,51 +20,16 @@ def as_text(problems: Sequence[Problem], file: str) -> str:
 
 
 def one_as_text(problem: Problem, file: str) -> str:
-    """One problem in up to three lines."""
-    place = ":".join(str(part) for part in (file, problem.line, problem.column) if part is not None)
-    word = click.style(f"{problem.severity}: ", fg=COLOURS[problem.severity], bold=True)
-    where = f"{dotted(problem.path)}: " if problem.path else ""
-    return "\n".join(
-        [f"{click.style(place, bold=True)}: {word}{where}{sentence(problem)}", *_excerpt(problem)]
-    )
+    """The headline bold, the caret in the colour of its severity."""
+    from physsim.scene.problems import format_problem
 
-
-def sentence(problem: Problem) -> str:
-    """What is wrong, what was given, what is allowed, and the likely slip."""
-    parts = [problem.message]
-    if problem.given is not None:
-        parts.append(f", got {problem.given}")
-    if problem.hint is not None:
-        parts.append(f"; {problem.hint}")
-    if problem.allowed is not None:
-        parts.append(f" (allowed: {problem.allowed})")
-    return "".join(parts)
+    headline, *excerpt = format_problem(problem, file).split("\n")
+    lines = [click.style(headline, bold=True), *excerpt[:-1]]
+    return "\n".join([*lines, *(click.style(caret, fg=COLOURS[problem.severity]) for caret in excerpt[-1:])])
 
 
 def as_data(problems: Sequence[Problem], file: str) -> list[dict[str, Any]]:
-    """All problems for a JSON document; `path` is a list of keys and indices, `where` the same, dotted."""
-    return [
-        {
-            "file": file,
-            "line": problem.line,
-            "column": problem.column,
-            "severity": problem.severity,
-            "path": list(problem.path),
-            "where": dotted(problem.path),
-            "message": problem.message,
-            "given": problem.given,
-            "allowed": problem.allowed,
-            "hint": problem.hint,
-        }
-        for problem in problems
-    ]
+    """All problems for a JSON document."""
+    from physsim.scene.problems import problem_as_dict
 
-
-def _excerpt(problem: Problem) -> list[str]:
-    if problem.source_line is None or problem.line is None:
-        return []
-    text = problem.source_line.rstrip("\n").replace("\t", " ")[:WIDEST_LINE]
-    lines = [f"{problem.line:>5} | {text}"]
-    if problem.column is not None and problem.column <= WIDEST_LINE:
-        lines.append(f"      | {' ' * (problem.column - 1)}{click.style('^', fg=COLOURS[problem.severity])}")
-    return lines
+    return [problem_as_dict(problem, file) for problem in problems]

@@ -1,5 +1,7 @@
 """How far a run has come: a bar on a terminal, a plain line every ten seconds elsewhere. Always on stderr."""
 
+# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
+
 from __future__ import annotations
 
 import os

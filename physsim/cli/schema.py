@@ -1,5 +1,7 @@
 """`physsim schema`: the scene language as JSON Schema, for editors and other programs."""
 
+# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
+
 from __future__ import annotations
 
 import click

@@ -1,5 +1,7 @@
 """`physsim validate`: everything that is wrong with scenes, without running them."""
 
+# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
+
 from __future__ import annotations
 
 from dataclasses import dataclass, field
@@ -59,15 +61,18 @@ def judge(scene: str, overrides: tuple[str, ...]) -> Verdict:
     """Load and compile one scene; errors become part of the verdict, so that the next file gets its turn."""
     from physsim.model import compile_scene
     from physsim.scene import load_scene
+    from physsim.simulation.overlaps import find_overlaps, overlap_problems
 
     try:
         loaded = load_scene(scene, overrides=overrides)
         model = compile_scene(loaded)
+        overlaps = overlap_problems(loaded, find_overlaps(model))
     except SceneError as error:
         return Verdict(scene, error.exit_code, problems=error.problems)
     except FileTrouble as error:
         return Verdict(scene, error.exit_code, error=str(error))
-    return Verdict(scene, title=loaded.title, bodies=len(model.body_names), problems=model.warnings)
+    warnings = (*loaded.warnings, *model.warnings, *overlaps)
+    return Verdict(scene, title=loaded.title, bodies=len(model.body_names), problems=warnings)
 
 
 def tell(verdict: Verdict) -> None:

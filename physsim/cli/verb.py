@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 import click
@@ -28,11 +28,15 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 @dataclass
 class Settings:
-    """What the user asked of the command as a whole; one object per call, reachable from every context."""
+    """What the user asked of the command as a whole; one object per call, reachable from every context.
+
+    known: what a verb has found out already; it goes into the JSON document also when an error ends the call.
+    """
 
     command: str = "physsim"
     debug: bool = False
     json: bool = False
+    known: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

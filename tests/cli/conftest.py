@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from physsim.cli.app import answer
+
 REPOSITORY = Path(__file__).resolve().parents[2]
 
 
@@ -29,8 +31,6 @@ def physsim(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> Callable[..., Outcome]:
     """`physsim("run", "a.yaml")` in an empty folder, in this process."""
-    from physsim.cli.app import answer
-
     monkeypatch.chdir(tmp_path)
     for name in ("NO_COLOR", "FORCE_COLOR", "PHYSSIM_DEBUG"):
         monkeypatch.delenv(name, raising=False)

@@ -48,16 +48,24 @@ def test_order_of_two_materials_does_not_matter(physsim) -> None:
 
 
 def test_a_number_that_nobody_knows_is_said_so_and_the_others_are_shown(physsim, monkeypatch) -> None:
-    """The trap is what a stand-in does to the others: friction is kept in order."""
-    known = library.material("steel")
-    bare = replace(known, name="bare", restitution=None, static_friction=None, kinetic_friction=known.density)
-    monkeypatch.setattr(library, "_materials", lambda: {"steel": known, "bare": bare})
-    told = physsim("materials", "bare", "steel")
-    assert told.code == 0
-    assert "restitution: not known: is not given for 'bare'" in told.out
-    assert "static_friction: not known: is not given for 'bare'" in told.out
-    mixed = (known.density.value * known.kinetic_friction.value) ** 0.5
-    assert f"kinetic_friction: {mixed:.4g}\n    mixing: geometric_mean" in told.out
+    steel = library.material("steel")
+    bare = replace(steel, name="bare", restitution=None)
+    monkeypatch.setattr(library, "_materials", lambda: {"steel": steel, "bare": bare})
+    told = physsim("materials", "bare", "steel").out
+    assert "restitution: not known: is not given for 'bare'" in told
+    assert f"kinetic_friction: {steel.kinetic_friction.value:.4g}\n    mixing: geometric_mean" in told
+    pair = json.loads(physsim("materials", "bare", "steel", "--json").out)["pairs"][0]
+    assert pair["restitution"] == {"value": None, "source": None, "missing": "is not given for 'bare'"}
+
+
+def test_friction_that_nobody_knows_is_said_so(physsim, monkeypatch) -> None:
+    steel = library.material("steel")
+    bare = replace(steel, name="bare", static_friction=None, kinetic_friction=None)
+    monkeypatch.setattr(library, "_materials", lambda: {"steel": steel, "bare": bare})
+    told = physsim("materials", "bare", "steel").out
+    assert "  static_friction: not known" in told
+    assert "  kinetic_friction: not known" in told
+    assert f"  restitution: {steel.restitution.value:.4g}\n" in told
 
 
 def test_unknown_material_is_wrong_usage_with_the_nearest_name(physsim) -> None:
