@@ -121,6 +121,7 @@ pub(crate) fn approach(
     b: &Posed,
     scratch: &mut Scratch,
     margin: f64,
+    allowed: impl Fn(DVec3) -> bool,
 ) -> Option<Approach> {
     let core = Core::of(a);
     let Scratch {
@@ -129,7 +130,7 @@ pub(crate) fn approach(
         ..
     } = scratch;
     polytope_a.load(a);
-    let axis = sat::separating_axis(polytope_a, polytope_b, margin + core.radius)?;
+    let axis = sat::separating_axis(polytope_a, polytope_b, margin + core.radius, allowed)?;
     let size = polytope_a.size + polytope_b.size + core.radius;
     let [p, q] = nearest_outside(&core, b, polytope_b);
     if axis.separation <= ROUNDING * size {
@@ -165,7 +166,7 @@ fn nearest_outside(core: &Core, b: &Posed, polytope: &Polytope) -> [DVec3; 2] {
 /// Capsule or rod against box, hull or triangle.
 pub(crate) fn against_polytope(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
     scratch.polytope_b.load(b);
-    let Some(found) = approach(a, b, scratch, sink.margin) else {
+    let Some(found) = approach(a, b, scratch, sink.margin, |_| true) else {
         return;
     };
     if !super::overlay(a, b, found.normal, scratch, sink) {

@@ -49,6 +49,7 @@ pub struct Scratch {
     polytope_b: polytope::Polytope,
     clip: clip::Buffers,
     triangles: Vec<u32>,
+    ways: Vec<triangle_mesh::Way>,
     points: Vec<ContactPoint>,
 }
 
@@ -236,7 +237,7 @@ fn polytopes(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
         ..
     } = scratch;
     if polytope_a.load(a) && polytope_b.load(b) {
-        if let Some(axis) = sat::separating_axis(polytope_a, polytope_b, sink.margin) {
+        if let Some(axis) = sat::separating_axis(polytope_a, polytope_b, sink.margin, |_| true) {
             along(a, b, axis.normal, scratch, sink);
         }
     }
@@ -275,6 +276,8 @@ fn overlapping_supports(a: &Posed, b: &Posed, normal: DVec3, sink: &mut Sink) {
     }
 }
 
+#[cfg(test)]
+mod mesh_tests;
 #[cfg(test)]
 pub(crate) mod testing;
 #[cfg(test)]

@@ -21,62 +21,69 @@ pub(crate) struct Axis {
     pub separation: f64,
 }
 
-/// The axis of largest separation; None when that is not below the margin.
-pub(crate) fn separating_axis(a: &Polytope, b: &Polytope, margin: f64) -> Option<Axis> {
-    let of_a = best_plane(a, b, margin)?;
-    let of_b = best_plane(b, a, margin)?;
-    let faces = if of_a.separation >= of_b.separation {
-        Axis {
-            normal: -of_a.normal,
-            ..of_a
-        }
-    } else {
-        of_b
-    };
-    best_edges(a, b, faces, margin)
-}
-
-/// Face of `a` farthest from `b`; the normal points out of `a`.
-fn best_plane(a: &Polytope, b: &Polytope, margin: f64) -> Option<Axis> {
-    let mut best = Axis {
-        normal: DVec3::Z,
-        separation: f64::NEG_INFINITY,
+/// The axis of largest separation among those whose normal is allowed; None when there is none, or when any axis,
+/// allowed or not, shows a gap of at least the margin.
+pub(crate) fn separating_axis(
+    a: &Polytope,
+    b: &Polytope,
+    margin: f64,
+    allowed: impl Fn(DVec3) -> bool,
+) -> Option<Axis> {
+    let mut search = Search {
+        best: None,
+        to_beat: f64::NEG_INFINITY,
+        margin,
+        allowed,
     };
     for plane in &a.planes {
         let separation = -b.reach(-plane.normal) - plane.offset;
-        if separation >= margin {
-            return None;
-        }
-        if separation > best.separation {
-            best = Axis {
-                normal: plane.normal,
-                separation,
-            };
+        search.consider(Axis {
+            normal: -plane.normal,
+            separation,
+        })?;
+    }
+    for plane in &b.planes {
+        let separation = -a.reach(-plane.normal) - plane.offset;
+        search.consider(Axis {
+            normal: plane.normal,
+            separation,
+        })?;
+    }
+    search.to_beat += PREFER_FACES * (a.size + b.size);
+    for arc_a in &a.arcs {
+        for arc_b in b
+            .arcs
+            .iter()
+            .filter(|arc_b| cross_on_gauss_map(arc_a, arc_b))
+        {
+            if let Some(axis) = across(arc_a, arc_b) {
+                search.consider(axis)?;
+            }
         }
     }
-    Some(best)
+    search.best
 }
 
-fn best_edges(a: &Polytope, b: &Polytope, faces: Axis, margin: f64) -> Option<Axis> {
-    let mut best = faces;
-    let mut to_beat = faces.separation + PREFER_FACES * (a.size + b.size);
-    for arc_a in &a.arcs {
-        for arc_b in &b.arcs {
-            if !cross_on_gauss_map(arc_a, arc_b) {
-                continue;
-            }
-            if let Some(axis) = across(arc_a, arc_b) {
-                if axis.separation >= margin {
-                    return None;
-                }
-                if axis.separation > to_beat {
-                    to_beat = axis.separation;
-                    best = axis;
-                }
-            }
+/// The best axis so far.
+struct Search<F> {
+    best: Option<Axis>,
+    to_beat: f64,
+    margin: f64,
+    allowed: F,
+}
+
+impl<F: Fn(DVec3) -> bool> Search<F> {
+    /// None ends the search: the polytopes are apart.
+    fn consider(&mut self, axis: Axis) -> Option<()> {
+        if axis.separation >= self.margin {
+            return None;
         }
+        if axis.separation > self.to_beat && (self.allowed)(axis.normal) {
+            self.to_beat = axis.separation;
+            self.best = Some(axis);
+        }
+        Some(())
     }
-    Some(best)
 }
 
 /// Arc a-b of A's normals against arc c-d of B's, the latter mirrored: c and d lie on different sides of the plane

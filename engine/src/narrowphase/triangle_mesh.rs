@@ -4,6 +4,9 @@
 //! stands only where the surface around it stays below the contact plane; else the triangle's own normal is taken, so
 //! that inner edges of flat and concave regions do not catch. And triangles push outward only: those that have the
 //! shape's centre behind them are left alone, unless no triangle has it in front, i.e. the centre is inside the solid.
+//!
+//! Depth is measured over the triangle that the shape passes through: a tip that slants under a neighbouring triangle
+//! counts as deep as it is at the common edge.
 
 use super::{capsule, closest, overlay, reduce, sat, ContactPoint, Posed, Scratch, Sink};
 use crate::shape::{Pose, Shape, TriangleFeature, TriangleMesh};
@@ -34,27 +37,105 @@ impl PosedMesh<'_> {
         self.pose.direction(self.mesh.normal(triangle))
     }
 
+    /// Whether the surface around the part of a triangle that is farthest along a normal stays below the plane there,
+    /// and the normal does not point into the solid.
+    fn allows(&self, triangle: u32, normal: DVec3) -> bool {
+        normal.dot(self.normal(triangle)) >= -SUPPORT_TOLERANCE
+            && self.mesh.is_supporting(
+                triangle,
+                touched(&self.corners(triangle), normal),
+                self.pose.inverse_direction(normal),
+            )
+    }
+
     /// Height of a point above the triangle's plane.
     fn height(&self, triangle: u32, p: DVec3) -> f64 {
         self.normal(triangle).dot(p - self.corners(triangle)[0])
     }
 }
 
+/// A triangle's contact: the points `first..end` of the list, with the normal and depth of the deepest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    triangle: u32,
+    first: usize,
+    end: usize,
+    normal: DVec3,
+    depth: f64,
+}
+
 /// All triangles near a sphere, capsule, rod, box or hull.
 pub(crate) fn collide(a: &Posed, b: &PosedMesh, scratch: &mut Scratch, sink: &mut Sink) {
     let mut near = std::mem::take(&mut scratch.triangles);
+    let mut ways = std::mem::take(&mut scratch.ways);
     near.clear();
+    ways.clear();
     nearby(a, b, sink.margin, &mut near);
     let start = sink.out.len();
     let center = a.pose.point(a.shape.center());
     for &t in near.iter().filter(|&&t| b.height(t, center) > 0.0) {
+        let first = sink.out.len();
         touch(a, b, t, scratch, sink);
+        ways.extend(Way::of(t, first, sink.out));
     }
+    drop_resolved(a, b, &ways, start, scratch, sink);
     if sink.out.len() == start {
         from_inside(a, b, &near, scratch, sink);
     }
     scratch.triangles = near;
+    scratch.ways = ways;
     reduce_points(a, sink.out, start, &mut scratch.points);
+}
+
+impl Way {
+    fn of(triangle: u32, first: usize, points: &[ContactPoint]) -> Option<Self> {
+        let new = points.get(first..)?;
+        let deepest = new
+            .iter()
+            .reduce(|p, q| if q.depth > p.depth { q } else { p })?;
+        Some(Self {
+            triangle,
+            first,
+            end: points.len(),
+            normal: deepest.normal,
+            depth: deepest.depth,
+        })
+    }
+}
+
+/// Drops the points of triangles whose overlap ends by itself when another, shallower contact is pushed apart: the
+/// flank of a block into which a body sinks from above, near the edge, is no way out.
+fn drop_resolved(
+    a: &Posed,
+    b: &PosedMesh,
+    ways: &[Way],
+    start: usize,
+    scratch: &mut Scratch,
+    sink: &mut Sink,
+) {
+    let mut kept = std::mem::take(&mut scratch.points);
+    kept.clear();
+    for way in ways {
+        let resolved =
+            way.depth > 0.0 && ways.iter().any(|other| resolves(a, b, other, way, scratch));
+        if !resolved {
+            kept.extend_from_slice(&sink.out[way.first..way.end]);
+        }
+    }
+    sink.out.truncate(start);
+    sink.out.extend_from_slice(&kept);
+    scratch.points = kept;
+}
+
+/// Whether pushing the shape out of `other` takes it out of the deeper `way` too.
+fn resolves(a: &Posed, b: &PosedMesh, other: &Way, way: &Way, scratch: &mut Scratch) -> bool {
+    if other.depth <= 0.0 || other.depth >= way.depth || other.normal.dot(way.normal) > SAME_WAY {
+        return false;
+    }
+    let mut pose = a.pose;
+    pose.position += other.depth * other.normal;
+    let allowance = RESOLUTION * a.shape.bounding_radius();
+    direction(&Posed { pose, ..*a }, b, way.triangle, scratch, -allowance).is_none()
 }
 
 /// Triangles whose boxes reach into the box around a shape.
@@ -76,17 +157,12 @@ pub(crate) fn reduce_points(
 
 /// One triangle with the centre in front.
 fn touch(a: &Posed, b: &PosedMesh, triangle: u32, scratch: &mut Scratch, sink: &mut Sink) {
-    let shape = Shape::Triangle(b.corners(triangle));
-    let piece = Posed {
-        shape: &shape,
-        pose: Pose::IDENTITY,
-    };
-    if let Some(normal) = direction(a, &piece, scratch, sink.margin) {
+    if let Some(normal) = direction(a, b, triangle, scratch, sink.margin) {
         along(a, b, triangle, normal, scratch, sink);
     }
 }
 
-/// The contact with one triangle along the allowed normal nearest to the given one.
+/// The contact with one triangle along a normal, or along the triangle's own where the surface does not allow that one.
 pub(crate) fn along(
     a: &Posed,
     b: &PosedMesh,
@@ -95,14 +171,9 @@ pub(crate) fn along(
     scratch: &mut Scratch,
     sink: &mut Sink,
 ) {
-    let corners = b.corners(triangle);
-    let allowed = b.mesh.is_supporting(
-        triangle,
-        touched(&corners, normal),
-        b.pose.inverse_direction(normal),
-    ) && normal.dot(b.normal(triangle)) >= -SUPPORT_TOLERANCE;
+    let allowed = b.allows(triangle, normal);
     let normal = if allowed { normal } else { b.normal(triangle) };
-    let shape = Shape::Triangle(corners);
+    let shape = Shape::Triangle(b.corners(triangle));
     let piece = Posed {
         shape: &shape,
         pose: Pose::IDENTITY,
@@ -112,22 +183,38 @@ pub(crate) fn along(
     }
 }
 
-/// The direction from the triangle to the shape; None when they are farther apart than the margin.
-fn direction(a: &Posed, piece: &Posed, scratch: &mut Scratch, margin: f64) -> Option<DVec3> {
+/// The direction from the triangle to the shape; None when they are farther apart than the margin. While they overlap
+/// only directions count in which the surface lets the shape out.
+fn direction(
+    a: &Posed,
+    b: &PosedMesh,
+    triangle: u32,
+    scratch: &mut Scratch,
+    margin: f64,
+) -> Option<DVec3> {
+    let shape = Shape::Triangle(b.corners(triangle));
+    let piece = Posed {
+        shape: &shape,
+        pose: Pose::IDENTITY,
+    };
+    let allowed = |normal| b.allows(triangle, normal);
+    scratch.polytope_b.load(&piece);
     match a.shape {
         Shape::Sphere { radius } => {
             let nearest = closest::closest(piece.shape, a.pose.position)?;
             (nearest.distance < radius + margin).then_some(nearest.normal)
         }
         Shape::Capsule { .. } | Shape::Rod { .. } => {
-            scratch.polytope_b.load(piece);
-            capsule::approach(a, piece, scratch, margin).map(|found| found.normal)
+            capsule::approach(a, &piece, scratch, margin, allowed).map(|found| found.normal)
         }
         _ => {
-            scratch.polytope_b.load(piece);
-            scratch.polytope_a.load(a);
-            sat::separating_axis(&scratch.polytope_a, &scratch.polytope_b, margin)
-                .map(|axis| axis.normal)
+            let Scratch {
+                polytope_a,
+                polytope_b,
+                ..
+            } = scratch;
+            polytope_a.load(a);
+            sat::separating_axis(polytope_a, polytope_b, margin, allowed).map(|axis| axis.normal)
         }
     }
 }
