@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from shell import PHYSSIM, clean_environment
 
 from physsim.cli.app import answer
-
-REPOSITORY = Path(__file__).resolve().parents[2]
 
 
 @dataclass(frozen=True)
@@ -50,9 +47,9 @@ def process(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
 
     def call(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
-            [sys.executable, "-m", "physsim", *arguments],
+            [*PHYSSIM, *arguments],
             cwd=tmp_path,
-            env=clean_environment() | environment,
+            env=clean_environment(**environment),
             stdin=subprocess.DEVNULL,
             capture_output=True,
             text=True,
@@ -61,10 +58,3 @@ def process(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
         )
 
     return call
-
-
-def clean_environment() -> dict[str, str]:
-    """The environment without what changes our output, and with this checkout importable from any folder."""
-    ours = ("NO_COLOR", "FORCE_COLOR", "PHYSSIM_DEBUG", "COLUMNS")
-    kept = {name: value for name, value in os.environ.items() if name not in ours}
-    return kept | {"PYTHONPATH": str(REPOSITORY)}

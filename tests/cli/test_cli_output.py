@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-import os
-import pty
-import subprocess
-import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
+from shell import on_a_terminal
 
 from physsim.cli import output, problems
 from physsim.errors import Problem
@@ -18,36 +16,17 @@ from physsim.errors import Problem
 ESCAPE = "\x1b["
 
 
-def on_a_terminal(arguments: list[str], **environment: str) -> str:
-    """What a command writes when stdout and stderr are a terminal."""
-    kept = {
-        name: value for name, value in os.environ.items() if name not in ("NO_COLOR", "FORCE_COLOR", "TERM")
-    }
-    master, slave = pty.openpty()
-    child = subprocess.Popen(
-        [sys.executable, "-m", "physsim", *arguments],
-        stdin=subprocess.DEVNULL,
-        stdout=slave,
-        stderr=slave,
-        env=kept | {"TERM": "xterm-256color"} | environment,
-    )
-    os.close(slave)
-    said = b""
-    try:
-        while chunk := os.read(master, 65536):
-            said += chunk
-    except OSError:  # the other end has closed: Linux says EIO
-        pass
-    os.close(master)
-    child.wait(timeout=60)
-    return said.decode()
+def test_colours_on_a_terminal_unless_refused(tmp_path: Path) -> None:
+    """stderr is the terminal; a broken scene is told there in bold and red."""
+    (tmp_path / "a.yaml").write_text("physsim: 2\n")
 
+    def seen(**environment: str) -> str:
+        return on_a_terminal(["validate", "a.yaml"], tmp_path, **environment)[1]
 
-def test_colours_on_a_terminal_unless_refused() -> None:
-    assert ESCAPE in on_a_terminal(["materials", "steel"])
-    assert ESCAPE not in on_a_terminal(["materials", "steel"], NO_COLOR="1")
-    assert ESCAPE not in on_a_terminal(["materials", "steel"], TERM="dumb")
-    assert ESCAPE not in on_a_terminal(["materials", "steel"], NO_COLOR="1", FORCE_COLOR="1")
+    assert ESCAPE in seen()
+    assert ESCAPE not in seen(NO_COLOR="1")
+    assert ESCAPE not in seen(TERM="dumb")
+    assert ESCAPE not in seen(NO_COLOR="1", FORCE_COLOR="1")
 
 
 def test_no_colours_in_a_pipe_unless_wanted(process) -> None:
