@@ -147,6 +147,30 @@ impl Contact {
         total - self.normal * total.dot(self.normal)
     }
 
+    /// Diagonal of K: normal, tangent 1, tangent 2 [1/kg].
+    #[must_use]
+    pub fn stiffness(&self) -> DVec3 {
+        DVec3::new(self.k_normal, self.k_tangent.0, self.k_tangent.1)
+    }
+
+    /// mu of the solve at hand.
+    #[must_use]
+    pub fn friction_coefficient(&self) -> f64 {
+        match self.friction {
+            Friction::Static => self.coefficients.static_friction,
+            Friction::Kinetic => self.coefficients.kinetic_friction,
+        }
+    }
+
+    /// The impulse brought into Coulomb's cone: no pull, friction shortened to mu times the normal impulse.
+    #[must_use]
+    pub fn in_cone(&self, impulse: DVec3) -> DVec3 {
+        let normal = impulse.x.max(0.0);
+        let (limit, length) = (self.friction_coefficient() * normal, impulse.y.hypot(impulse.z));
+        let scale = if length > limit { limit / length } else { 1.0 };
+        DVec3::new(normal, impulse.y * scale, impulse.z * scale)
+    }
+
     /// Choose the friction of the next solve by the slip at its start.
     pub fn choose_friction(&mut self, velocity: DVec3, slip_speed: f64) {
         let slip = velocity.y.hypot(velocity.z);

@@ -16,6 +16,7 @@ pub mod narrowphase;
 pub mod position;
 pub mod shape;
 pub mod solver;
+mod subspace;
 pub mod world;
 
 #[cfg(feature = "python")]

@@ -9,8 +9,9 @@ use glam::DVec3;
 use crate::body::Body;
 use crate::contact::Contact;
 
-/// Overlaps up to this are left: below what the solver's tolerance leaves in a step [m].
-const SLOP: f64 = 1e-8;
+/// Overlaps and gaps up to this are left as they are: what the solver's tolerance leaves in a step. All four corners
+/// of a resting box then ask for the same, and the solver need not choose among them [m].
+pub const SLOP: f64 = 1e-8;
 const SWEEPS: usize = 30;
 
 /// Working memory of the correction.

@@ -1,4 +1,4 @@
-//! Contacts solved together: projected Gauss-Seidel, accelerated by nonsmooth nonlinear conjugate gradients.
+//! Contacts solved together: sweeps over the contacts, and conjugate gradients over those that carry.
 //!
 //! Unknown are the impulses p = (p_n, p_1, p_2) of every contact, with u = (u_n, u_1, u_2) its relative velocity after
 //! all impulses. Asked is, for every contact at once,
@@ -8,15 +8,21 @@
 //! friction  |p_t| <= mu p_n;  u_t = 0 inside the disc;  p_t = -mu p_n u_t / |u_t| on its rim   (Coulomb)
 //! ```
 //!
-//! A sweep solves one contact after the other exactly, with the others held. Sweeps alone are slow on tall stacks and
-//! great mass ratios (a light body under a heavy one: factor 1 / (1 + m/M) a sweep); the conjugate directions of
-//! Silcowitz, Niebe & Erleben 2010 ("A nonsmooth nonlinear conjugate gradient method for interactive contact force
-//! problems", Visual Computer 26) cost one more pass and mend that.
+//! A sweep solves one contact after the other exactly, with the others held (projected Gauss-Seidel). Sweeps find out
+//! quickly which contacts carry, which stick and which slide, but pass loads on slowly: for a light body under a heavy
+//! one the error falls by 1 / (1 + m/M) a sweep. So after a few sweeps the contacts that carry are solved together as
+//! a linear system by conjugate gradients, with open contacts open and sliding friction as it stands; sweeps then
+//! check and mend the guess (subspace minimisation: Silcowitz, Niebe & Erleben 2010, "Projected Gauss-Seidel subspace
+//! minimization method for interactive rigid body dynamics", GRAPP).
 
 use glam::{DMat3, DVec3};
 
 use crate::body::Body;
 use crate::contact::{Contact, Friction};
+use crate::subspace::Subspace;
+
+/// Sweeps between two linear solves.
+const SWEEPS: usize = 4;
 
 /// What a solve came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -38,11 +44,11 @@ pub struct Limits {
 
 /// What the sweeps read and write of a body, close together in memory.
 #[derive(Clone, Copy, Debug)]
-struct Mover {
-    velocity: DVec3,
-    angular_velocity: DVec3,
-    inverse_mass: f64,
-    inverse_inertia: DMat3,
+pub(crate) struct Mover {
+    pub(crate) velocity: DVec3,
+    pub(crate) angular_velocity: DVec3,
+    pub(crate) inverse_mass: f64,
+    pub(crate) inverse_inertia: DMat3,
 }
 
 impl Mover {
@@ -56,12 +62,35 @@ impl Mover {
     }
 }
 
+impl Limits {
+    /// A part of the sweeps.
+    fn share(self, parts: usize) -> Self {
+        Self { iterations: self.iterations.div_ceil(parts), ..self }
+    }
+}
+
+impl Report {
+    fn then(self, next: Self) -> Self {
+        Self { residual: next.residual, iterations: self.iterations + next.iterations }
+    }
+}
+
+/// What is solved for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// Normal impulses, with friction held.
+    Normals,
+    /// Normal impulses and friction.
+    All,
+}
+
 /// Working memory, kept from solve to solve.
 #[derive(Clone, Debug, Default)]
 pub struct Solver {
     movers: Vec<Mover>,
-    before: Vec<DVec3>,
-    direction: Vec<DVec3>,
+    /// Impulses with the least residual so far.
+    best: Vec<DVec3>,
+    subspace: Subspace,
 }
 
 impl Solver {
@@ -78,19 +107,22 @@ impl Solver {
             return Report::default();
         }
         self.load(bodies, contacts, which);
-        let mut report = self.iterate(contacts, which, limits);
-        // Static contacts that gave way slide from here on; the others hear of it. Twice is enough: a contact changes
-        // only from static to kinetic.
-        for _ in 0..2 {
-            let left = limits.iterations.saturating_sub(report.iterations);
-            if left == 0 || !self.release_slipping(contacts, which, limits.tolerance) {
+        // First how much each contact carries, with friction as it stands: friction that is cut off at a cone which is
+        // still too narrow would leave the contacts of a body straining against each other.
+        // Static contacts that gave way slide from here on, and others may give way then; a third of the sweeps is kept
+        // for that. It ends, because a contact changes only from static to kinetic. What slips only because the sweeps
+        // have not arrived is not let go.
+        let mut report = self.iterate(contacts, which, Part::Normals, limits.share(3));
+        let more = self.iterate(contacts, which, Part::All, limits.share(3));
+        report = report.then(more);
+        while report.iterations < limits.iterations {
+            let noticeable = 10.0 * report.residual.max(limits.tolerance);
+            let released = self.release_slipping(contacts, which, noticeable);
+            if !released && report.residual < limits.tolerance {
                 break;
             }
-            let more = self.iterate(contacts, which, Limits { iterations: left, ..limits });
-            report = Report {
-                residual: more.residual,
-                iterations: report.iterations + more.iterations,
-            };
+            let left = limits.iterations - report.iterations;
+            report = report.then(self.iterate(contacts, which, Part::All, Limits { iterations: left, ..limits }));
         }
         report
     }
@@ -111,83 +143,95 @@ impl Solver {
         }
     }
 
-    /// Sweeps along conjugate directions. `g` is the change that a sweep makes, beta = |g|^2 / |g_before|^2 in the
-    /// metric of the effective masses; where the change grows the direction is dropped (Silcowitz et al., alg. 2).
-    fn iterate(&mut self, contacts: &mut [Contact], which: &[usize], limits: Limits) -> Report {
-        self.direction.clear();
-        self.direction.resize(which.len(), DVec3::ZERO);
-        let mut last = 0.0;
-        let mut report = Report::default();
-        for iteration in 0..limits.iterations {
-            let (residual, square) = self.sweep(contacts, which, iteration % 2 == 1);
-            report = Report { residual, iterations: iteration + 1 };
-            if residual < limits.tolerance || iteration + 1 == limits.iterations {
-                break;
+    /// Sweeps and linear solves in turn, until a sweep changes nothing any more. Ends with a sweep, so that every
+    /// impulse lies in its cone. A linear solve may guess wrongly which contacts carry, and the next sweeps then have
+    /// more to mend than before: where the sweeps run out, the best impulses seen are taken.
+    fn iterate(&mut self, contacts: &mut [Contact], which: &[usize], part: Part, limits: Limits) -> Report {
+        let mut iterations = 0;
+        let mut best = f64::INFINITY;
+        loop {
+            let mut residual = f64::INFINITY;
+            for _ in 0..SWEEPS {
+                residual = self.sweep(contacts, which, part, iterations % 2 == 1);
+                iterations += 1;
+                if residual < limits.tolerance || iterations >= limits.iterations {
+                    break;
+                }
             }
-            let beta = if last > 0.0 { square / last } else { 2.0 };
-            last = square;
-            self.extrapolate(contacts, which, beta);
+            if residual < limits.tolerance {
+                return Report { residual, iterations };
+            }
+            if residual < best {
+                best = residual;
+                self.best.clear();
+                self.best.extend(which.iter().map(|&k| contacts[k].impulse));
+            }
+            if iterations >= limits.iterations {
+                self.return_to_best(contacts, which);
+                return Report { residual: best, iterations };
+            }
+            self.leap(contacts, which, part, limits.tolerance / residual);
         }
-        report
     }
 
-    /// One sweep; returns the greatest change [m/s] and the sum of squares of all changes [J]. Odd sweeps go backwards:
-    /// what a stack passes on reaches both its ends.
-    fn sweep(&mut self, contacts: &mut [Contact], which: &[usize], backwards: bool) -> (f64, f64) {
-        self.before.clear();
-        self.before.extend(which.iter().map(|&k| contacts[k].impulse));
-        let (mut worst, mut square) = (0.0_f64, 0.0);
+    fn return_to_best(&mut self, contacts: &mut [Contact], which: &[usize]) {
+        for (slot, &k) in which.iter().enumerate() {
+            let change = self.best[slot] - contacts[k].impulse;
+            contacts[k].impulse = self.best[slot];
+            self.push(&contacts[k], change);
+        }
+    }
+
+    /// One sweep; returns the greatest change of a relative velocity [m/s]. Every other sweep goes backwards: what a
+    /// stack passes on reaches both its ends.
+    fn sweep(&mut self, contacts: &mut [Contact], which: &[usize], part: Part, backwards: bool) -> f64 {
+        let mut worst = 0.0_f64;
         for step in 0..which.len() {
             let slot = if backwards { which.len() - 1 - step } else { step };
             let contact = &mut contacts[which[slot]];
             let old = contact.impulse;
-            self.solve_contact(contact);
-            let change = contact.impulse - old;
-            let by_velocity = DVec3::new(
-                change.x * contact.k_normal,
-                change.y * contact.k_tangent.0,
-                change.z * contact.k_tangent.1,
-            );
-            worst = worst.max(by_velocity.abs().max_element());
-            square += by_velocity.dot(change);
+            self.solve_contact(contact, part);
+            let change = (contact.impulse - old) * contact.stiffness();
+            worst = worst.max(change.abs().max_element());
         }
-        (worst, square)
+        worst
     }
 
-    /// After a sweep that made the change g: direction <- beta direction + g, and impulses go on by beta direction.
-    fn extrapolate(&mut self, contacts: &mut [Contact], which: &[usize], beta: f64) {
+    /// Solve the contacts that carry as a linear system, and bring the result back into the cones.
+    fn leap(
+        &mut self,
+        contacts: &mut [Contact],
+        which: &[usize],
+        part: Part,
+        reduction: f64,
+    ) {
+        let movers = &self.movers;
+        let velocity = |c: &Contact| velocity_of(movers, c);
+        self.subspace.solve(contacts, which, part, movers, velocity, 0.1 * reduction);
         for (slot, &k) in which.iter().enumerate() {
-            let contact = &mut contacts[k];
-            let change = contact.impulse - self.before[slot];
-            if beta > 1.0 {
-                self.direction[slot] = change;
-                continue;
-            }
-            let onward = self.direction[slot] * beta;
-            self.direction[slot] = onward + change;
-            if onward != DVec3::ZERO {
-                contact.impulse += onward;
-                let contact = &contacts[k];
-                self.push(contact, onward);
-            }
+            let old = contacts[k].impulse;
+            let new = match part {
+                Part::Normals => (old + self.subspace.step(slot)).max(DVec3::new(0.0, f64::MIN, f64::MIN)),
+                Part::All => contacts[k].in_cone(old + self.subspace.step(slot)),
+            };
+            contacts[k].impulse = new;
+            self.push(&contacts[k], new - old);
         }
     }
 
     /// The exact answer of one contact, the others held.
-    fn solve_contact(&mut self, c: &mut Contact) {
-        let (a, b) = (&self.movers[c.bodies.0], &self.movers[c.bodies.1]);
-        let u = c.to_local(a.velocity_at(c.arms.0) - b.velocity_at(c.arms.1));
+    fn solve_contact(&mut self, c: &mut Contact, part: Part) {
+        let u = velocity_of(&self.movers, c);
         let old = c.impulse;
         let normal = (old.x - (u.x - c.target) / c.k_normal).max(0.0);
         let change = normal - old.x;
         // Velocity of the tangents with the new normal impulse and without friction.
         let b1 = u.y + c.k_coupling.0 * change - c.k_tangent.0 * old.y;
         let b2 = u.z + c.k_coupling.1 * change - c.k_tangent.1 * old.z;
-        let mu = match c.friction {
-            Friction::Static => c.coefficients.static_friction,
-            Friction::Kinetic => c.coefficients.kinetic_friction,
+        let (p1, p2) = match part {
+            Part::Normals => (old.y, old.z),
+            Part::All => friction_in_disc((b1, b2), c.k_tangent, c.friction_coefficient() * normal),
         };
-        let (p1, p2) = friction_in_disc((b1, b2), c.k_tangent, mu * normal);
         c.impulse = DVec3::new(normal, p1, p2);
         let difference = c.impulse - old;
         if difference != DVec3::ZERO {
@@ -202,7 +246,7 @@ impl Solver {
     }
 
     /// Static contacts on the rim of their disc that slip nevertheless become kinetic.
-    fn release_slipping(&self, contacts: &mut [Contact], which: &[usize], tolerance: f64) -> bool {
+    fn release_slipping(&self, contacts: &mut [Contact], which: &[usize], noticeable: f64) -> bool {
         let mut any = false;
         for &k in which {
             let c = &mut contacts[k];
@@ -211,15 +255,20 @@ impl Solver {
             if c.friction == Friction::Kinetic || held || c.impulse.x == 0.0 {
                 continue;
             }
-            let (a, b) = (&self.movers[c.bodies.0], &self.movers[c.bodies.1]);
-            let u = c.to_local(a.velocity_at(c.arms.0) - b.velocity_at(c.arms.1));
-            if u.y.hypot(u.z) > 10.0 * tolerance {
+            let u = velocity_of(&self.movers, c);
+            if u.y.hypot(u.z) > noticeable {
                 c.friction = Friction::Kinetic;
                 any = true;
             }
         }
         any
     }
+}
+
+/// Relative velocity of a contact along normal and tangents [m/s].
+fn velocity_of(movers: &[Mover], c: &Contact) -> DVec3 {
+    let (a, b) = (&movers[c.bodies.0], &movers[c.bodies.1]);
+    c.to_local(a.velocity_at(c.arms.0) - b.velocity_at(c.arms.1))
 }
 
 /// The tangential impulse that stops the slip, or the one on the rim of the disc that opposes the slip that is left.

@@ -14,7 +14,7 @@ use crate::impact::{gap_change, Event, Impacts, Rules};
 use crate::integrator::{drift, kick};
 use crate::ledger::{Energies, Ledger};
 use crate::model::{Geom, Model, PairTable, Settings, Stabilization};
-use crate::position::Correction;
+use crate::position::{Correction, SLOP};
 use crate::shape::Aabb;
 use crate::solver::{Limits, Report, Solver};
 
@@ -235,7 +235,7 @@ impl World {
         self.gaps.clear();
         for c in &mut self.contacts {
             let gap = c.gap + gap_change(&self.impacts.kinks, c);
-            c.target = if gap > 0.0 { -gap / dt } else { -beta * gap / dt };
+            c.target = if gap > 0.0 { -(gap - SLOP).max(0.0) / dt } else { -beta * gap / dt };
             c.impulse = DVec3::ZERO;
             self.gaps.push(gap);
         }

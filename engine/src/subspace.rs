@@ -1,0 +1,217 @@
+//! The linear system of the contacts that carry.
+//!
+//! Open contacts stay open. A sticking contact asks for u = (target, 0, 0) and has three impulses to get it; a sliding
+//! one asks for u_n = target and has one, its friction mu p_n s going along in the direction s that it has. So
+//! A W z = r with A = J M^-1 J^T, where the columns of W are the impulses that z stands for. Redundant contacts make A
+//! singular (four corners of a box hold more than it needs): A + eps diag(A) with a small eps keeps the impulses near
+//! those before where A leaves a choice. Sliding makes the system unsymmetric, so it is solved by GMRES (Saad & Schultz
+//! 1986), scaled on both sides by diag(A)^-1/2. A is never formed: a product with it is a pass over the contacts that
+//! pushes bodies and reads their relative velocities.
+
+use glam::DVec3;
+
+use crate::contact::Contact;
+use crate::solver::{Mover, Part};
+
+/// eps. What a leap leaves of an error in a motion whose eigenvalue of diag(A)^-1 A is e: eps / (eps + e). The
+/// softest motions of real scenes (many bodies high, 1000 : 1 in mass) have e about 1e-4.
+const DAMPING: f64 = 1e-6;
+/// Krylov vectors kept at most.
+const VECTORS: usize = 40;
+
+/// Linear and angular velocity that a set of impulses gives a body.
+#[derive(Clone, Copy, Debug, Default)]
+struct Response {
+    velocity: DVec3,
+    angular_velocity: DVec3,
+}
+
+/// What a contact may change.
+#[derive(Clone, Copy, Debug)]
+struct Freedom {
+    /// Ones where the relative velocity is asked for.
+    asked: DVec3,
+    /// Friction that goes along with a unit of normal impulse.
+    along: DVec3,
+    /// diag(A)^-1/2
+    scale: DVec3,
+}
+
+impl Freedom {
+    fn of(c: &Contact, part: Part) -> Self {
+        let limit = c.friction_coefficient() * c.impulse.x;
+        let length = c.impulse.y.hypot(c.impulse.z);
+        let (asked, along) = if c.impulse.x <= 0.0 {
+            (DVec3::ZERO, DVec3::ZERO)
+        } else if part == Part::Normals {
+            (DVec3::X, DVec3::ZERO)
+        } else if length < limit * (1.0 - 1e-9) {
+            (DVec3::ONE, DVec3::ZERO)
+        } else if limit > 0.0 {
+            (DVec3::X, DVec3::new(0.0, c.impulse.y, c.impulse.z) * (limit / length / c.impulse.x))
+        } else {
+            (DVec3::X, DVec3::ZERO)
+        };
+        let k = c.stiffness();
+        Self { asked, along, scale: DVec3::new(1.0 / k.x.sqrt(), 1.0 / k.y.sqrt(), 1.0 / k.z.sqrt()) }
+    }
+
+    /// The impulse that scaled unknowns stand for.
+    fn impulse(&self, unknown: DVec3) -> DVec3 {
+        let z = unknown * self.scale;
+        z + self.along * z.x
+    }
+}
+
+/// Working memory of the linear solve; one entry a contact.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Subspace {
+    freedom: Vec<Freedom>,
+    step: Vec<DVec3>,
+    basis: Vec<Vec<DVec3>>,
+    /// Columns of the triangular factor of the Hessenberg matrix.
+    columns: Vec<Vec<f64>>,
+    rotations: Vec<(f64, f64)>,
+    /// Right-hand side in the Krylov basis; its last entry is the residual that is left.
+    rhs: Vec<f64>,
+    responses: Vec<Response>,
+}
+
+impl Subspace {
+    /// The change of the impulse of the contact in this slot.
+    pub(crate) fn step(&self, slot: usize) -> DVec3 {
+        self.step[slot]
+    }
+
+    /// Solve until the residual is `reduction` of what it was, or the Krylov vectors run out.
+    pub(crate) fn solve(
+        &mut self,
+        contacts: &[Contact],
+        which: &[usize],
+        part: Part,
+        movers: &[Mover],
+        velocity: impl Fn(&Contact) -> DVec3,
+        reduction: f64,
+    ) {
+        let start = self.begin(contacts, which, part, velocity);
+        let mut used = 0;
+        while start > 0.0 && used < VECTORS {
+            self.extend_basis(contacts, which, movers, used);
+            used += 1;
+            if self.rhs[used].abs() <= reduction * start {
+                break;
+            }
+        }
+        self.combine(which.len(), used);
+    }
+
+    /// The first Krylov vector, r / |r| with r = target - u scaled. Returns |r|.
+    fn begin(
+        &mut self,
+        contacts: &[Contact],
+        which: &[usize],
+        part: Part,
+        velocity: impl Fn(&Contact) -> DVec3,
+    ) -> f64 {
+        self.freedom.clear();
+        self.columns.clear();
+        self.rotations.clear();
+        self.rhs.clear();
+        self.basis.resize(VECTORS + 1, Vec::new());
+        let first = &mut self.basis[0];
+        first.clear();
+        for &k in which {
+            let c = &contacts[k];
+            let freedom = Freedom::of(c, part);
+            first.push((DVec3::X * c.target - velocity(c)) * freedom.asked * freedom.scale);
+            self.freedom.push(freedom);
+        }
+        let norm = dot(first, first).sqrt();
+        if norm > 0.0 {
+            first.iter_mut().for_each(|v| *v /= norm);
+        }
+        self.rhs.push(norm);
+        norm
+    }
+
+    /// One Arnoldi step (modified Gram-Schmidt), and the Givens rotation that keeps the Hessenberg matrix triangular.
+    fn extend_basis(&mut self, contacts: &[Contact], which: &[usize], movers: &[Mover], last: usize) {
+        let mut next = std::mem::take(&mut self.basis[last + 1]);
+        self.multiply(contacts, which, movers, last, &mut next);
+        let mut column = Vec::with_capacity(last + 2);
+        for vector in &self.basis[..=last] {
+            let h = dot(vector, &next);
+            next.iter_mut().zip(vector).for_each(|(n, v)| *n -= *v * h);
+            column.push(h);
+        }
+        let length = dot(&next, &next).sqrt();
+        if length > 0.0 {
+            next.iter_mut().for_each(|v| *v /= length);
+        }
+        self.basis[last + 1] = next;
+        for (row, &(c, s)) in self.rotations.iter().enumerate() {
+            (column[row], column[row + 1]) =
+                (c * column[row] + s * column[row + 1], c * column[row + 1] - s * column[row]);
+        }
+        let radius = column[last].hypot(length);
+        let (c, s) = if radius > 0.0 { (column[last] / radius, length / radius) } else { (1.0, 0.0) };
+        column[last] = radius;
+        self.rotations.push((c, s));
+        self.rhs.push(-s * self.rhs[last]);
+        self.rhs[last] *= c;
+        self.columns.push(column);
+    }
+
+    /// Back substitution, and the impulses that the solution stands for.
+    fn combine(&mut self, contacts: usize, used: usize) {
+        let mut weights = vec![0.0; used];
+        for row in (0..used).rev() {
+            let known: f64 = (row + 1..used).map(|k| self.columns[k][row] * weights[k]).sum();
+            let pivot = self.columns[row][row];
+            weights[row] = if pivot > 0.0 { (self.rhs[row] - known) / pivot } else { 0.0 };
+        }
+        self.step.clear();
+        self.step.resize(contacts, DVec3::ZERO);
+        for (vector, &weight) in self.basis.iter().zip(&weights) {
+            self.step.iter_mut().zip(vector).for_each(|(s, v)| *s += *v * weight);
+        }
+        self.step.iter_mut().zip(&self.freedom).for_each(|(s, f)| *s = f.impulse(*s));
+    }
+
+    /// out = (A W + eps diag(A)) basis[from], scaled.
+    fn multiply(
+        &mut self,
+        contacts: &[Contact],
+        which: &[usize],
+        movers: &[Mover],
+        from: usize,
+        out: &mut Vec<DVec3>,
+    ) {
+        self.responses.clear();
+        self.responses.resize(movers.len(), Response::default());
+        for ((&k, freedom), &unknown) in which.iter().zip(&self.freedom).zip(&self.basis[from]) {
+            if unknown == DVec3::ZERO {
+                continue;
+            }
+            let c = &contacts[k];
+            let p = c.to_world(freedom.impulse(unknown));
+            for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
+                let (mover, response) = (&movers[body], &mut self.responses[body]);
+                response.velocity += impulse * mover.inverse_mass;
+                response.angular_velocity += mover.inverse_inertia * arm.cross(impulse);
+            }
+        }
+        out.clear();
+        for ((&k, freedom), &unknown) in which.iter().zip(&self.freedom).zip(&self.basis[from]) {
+            let c = &contacts[k];
+            let (a, b) = (&self.responses[c.bodies.0], &self.responses[c.bodies.1]);
+            let at = |r: &Response, arm: DVec3| r.velocity + r.angular_velocity.cross(arm);
+            let change = c.to_local(at(a, c.arms.0) - at(b, c.arms.1));
+            out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
+        }
+    }
+}
+
+fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x.dot(*y)).sum()
+}
