@@ -108,7 +108,8 @@ def show_material(material: Material, as_json: bool) -> None:
             + (f": {pair.notes}" if pair.notes else "")
         )
         for name in NUMBERS:
-            output.result(number_lines(name, getattr(pair, name)))
+            if getattr(pair, name) is not None:
+                output.result(number_lines(name, getattr(pair, name)))
 
 
 def show_pairs(names: Sequence[str], as_json: bool) -> None:
