@@ -13,6 +13,7 @@ import numpy as np
 
 from physsim.errors import FileTrouble, PhyssimError
 from physsim.recording import layout
+from physsim.recording.checkpoint import Checkpoint, newest
 from physsim.recording.layout import Column
 from physsim.recording.safe import (
     Damaged,
@@ -244,7 +245,12 @@ class Trajectory:
     @property
     def provenance(self) -> dict[str, Any]:
         """Scene text, resolved scene, mesh hashes (JSON), versions (JSON), host, command and clock times."""
-        return {column.name: self.values(column.path)[()] for column in _columns_of("provenance")}
+        return {column.name: self.values(column.path).item() for column in _columns_of("provenance")}
+
+    def checkpoint(self) -> Checkpoint | None:
+        """The newest whole checkpoint, or None."""
+        with guarded(self.path):
+            return newest(self._file)
 
     def series(self, path: str, body: int | None = None) -> Series:
         """A dataset over time by its path in the file, of one body (by row) where it has a body axis."""

@@ -18,6 +18,7 @@ import numpy as np
 
 from physsim.errors import FileTrouble
 from physsim.recording import layout
+from physsim.recording.heaps import broken_heap
 from physsim.recording.layout import Column
 from physsim.recording.target import is_being_written, plain
 
@@ -69,6 +70,8 @@ def open_for_reading(path: Path) -> tuple[h5py.File, bool]:
     _check_signature(path)
     writing = is_being_written(path)
     with guarded(path):
+        if broken_heap(path) is not None:
+            raise Damaged("the texts in the file are damaged, it cannot be read")
         file = h5py.File(path, "r", locking=False if writing else "best-effort")
     try:
         with guarded(path):

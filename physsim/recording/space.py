@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 RESERVE_BYTES = 256 * 1024
@@ -19,14 +19,21 @@ class NoRoom(OSError):
     """The system has no room for the next block. HDF5 has not been touched."""
 
 
-def claim(file: Any, more_bytes: int) -> None:
-    """Makes the system set aside `more_bytes` beyond the present end of an open HDF5 file.
+@contextlib.contextmanager
+def room_for(file: Any, more_bytes: int) -> Iterator[None]:
+    """The system sets aside `more_bytes` beyond the end of an open HDF5 file; what is left over is given back.
 
-    HDF5 cuts the file to its true length at the next flush. Raises NoRoom (disk full, quota, size limit).
+    The block must end with a flush. Raises NoRoom (disk full, quota, size limit) before the block is entered.
     """
+    handle = file.id.get_vfd_handle()
+    _claim(handle, more_bytes)
+    yield
+    os.ftruncate(handle, file.id.get_filesize())
+
+
+def _claim(handle: int, more_bytes: int) -> None:
     if not hasattr(os, "posix_fallocate"):
         return
-    handle = file.id.get_vfd_handle()
     size = os.fstat(handle).st_size
     try:
         os.posix_fallocate(handle, size, more_bytes)

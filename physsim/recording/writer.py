@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -22,7 +22,8 @@ from physsim.recording import layout
 from physsim.recording.checkpoint import Checkpoint
 from physsim.recording.create import axis_dataset, block_frames, create_file
 from physsim.recording.layout import Column, Status
-from physsim.recording.space import RESERVE_BYTES, NoRoom, claim, close_in_place, close_without_writing
+from physsim.recording.safe import guarded
+from physsim.recording.space import RESERVE_BYTES, NoRoom, close_in_place, close_without_writing, room_for
 from physsim.recording.target import Target, plain
 
 # A checkpoint, with the frames in hand, after this many seconds, so that a kill costs little work ...
@@ -86,7 +87,8 @@ class Recorder:
             file = h5py.File(path, "r+", libver=("earliest", "v110"), locking="best-effort")
         except (OSError, RuntimeError) as error:
             raise FileTrouble(f"{path}: cannot be continued: {plain(error)}") from error
-        with _told_plainly(path, file):
+        growing = [column for column in columns if column.grows_along]
+        with _told_plainly(path, file), room_for(file, _open_chunks_bytes(file, growing)), guarded(path):
             _cut(file, columns, frames, events)
             file.attrs["status"] = "running"
             file.attrs["status_detail"] = ""
@@ -123,14 +125,14 @@ class Recorder:
 
     def write_block(self) -> None:
         """Writes the frames in hand."""
-        with _told_plainly(self.path, self._file):
-            self._commit(0)
+        with _told_plainly(self.path, self._file), self._room():
+            self._commit()
         self._take_free_name()
 
     def write_checkpoint(self, engine: bytes, step: int) -> None:
         """Writes the frames in hand and the engine's state after `step` steps, down to the disk itself."""
-        with _told_plainly(self.path, self._file):
-            self._commit(2 * len(engine))
+        with _told_plainly(self.path, self._file), self._room(len(engine)):
+            self._commit()
             slots.save(self._file, self._checkpoint(engine, step))
             self._sync()
         self._last_checkpoint = time.monotonic()
@@ -144,8 +146,8 @@ class Recorder:
         engine: None leaves the checkpoints as they are (after a failure). Returns where the file is: under
         the target's name, unless a failed run with nothing but its first frame would replace an old file.
         """
-        with _told_plainly(self.path, self._file):
-            self._commit(2 * len(engine or b""))
+        with _told_plainly(self.path, self._file), self._room(len(engine or b"")):
+            self._commit()
             if engine is not None:
                 slots.save_last(self._file, self._checkpoint(engine, step))
             for path, value in provenance.items():
@@ -153,6 +155,7 @@ class Recorder:
             self._file.attrs["status"] = status
             self._file.attrs["status_detail"] = detail
             self._sync()
+        with _told_plainly(self.path, self._file):
             self._file.close()
         self._take_free_name()
         if self._waiting and (status == "complete" or self.frames > 1):
@@ -178,11 +181,12 @@ class Recorder:
         first = [start] if number == 0 else []
         self._keep("contacts/offset", np.array([*first, start + count], np.int64))
 
-    def _commit(self, more_bytes: int) -> None:
+    def _room(self, engine_bytes: int = 0) -> AbstractContextManager[None]:
+        rows = 2 * self._pending_bytes
+        return room_for(self._file, _open_chunks_bytes(self._file, self._growing) + rows + 2 * engine_bytes)
+
+    def _commit(self) -> None:
         """Two flushes: all but `/time`, then `/time`."""
-        claim(
-            self._file, _open_chunks_bytes(self._file, self._growing) + 2 * self._pending_bytes + more_bytes
-        )
         for column in self._growing:
             if rows := self._pending.get(column.path):
                 self._extend(column, rows)
@@ -236,6 +240,9 @@ def _told_plainly(path: Path, file: h5py.File) -> Iterator[None]:
     except (OSError, RuntimeError) as error:
         close_without_writing(file)
         raise FileTrouble(_writing_failed(path, error)) from error
+    except FileTrouble:
+        close_without_writing(file)
+        raise
 
 
 def _writing_failed(path: Path, error: Exception) -> str:
@@ -258,7 +265,6 @@ def _open_chunks_bytes(file: h5py.File, columns: list[Column]) -> int:
 def _cut(file: h5py.File, columns: tuple[Column, ...], frames: int, events: int) -> None:
     """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""
     growing = [column for column in columns if column.grows_along]
-    claim(file, _open_chunks_bytes(file, growing))
     file["time"].resize(frames, axis=0)
     file.flush()
     lengths = {"time": frames, "event": events, "boundary": frames + 1}

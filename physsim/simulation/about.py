@@ -1,0 +1,89 @@
+"""What a trajectory file says about its run that does not change with time."""
+
+from __future__ import annotations
+
+import datetime
+import importlib.metadata
+import json
+import platform
+import shlex
+import sys
+from itertools import combinations_with_replacement
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+import physsim
+
+if TYPE_CHECKING:
+    from physsim.model import Model
+    from physsim.scene import Scene
+
+PACKAGES = ("numpy", "h5py", "pydantic", "PyYAML", "trimesh", "scipy", "python-fcl", "coacd")
+
+
+def root_attributes(scene: Scene) -> dict[str, Any]:
+    return {
+        "physsim_version": physsim.__version__,
+        "title": scene.title,
+        "seed": np.int64(scene.spec.simulation.seed),
+    }
+
+
+def fixed_values(scene: Scene, model: Model) -> dict[str, Any]:
+    """Values of the datasets that do not grow, by path."""
+    names = np.array(model.material_names, dtype=object)
+    return {
+        "body": list(model.body_names),
+        "mass": model.mass,
+        "inertia": model.inertia,
+        "center_of_mass": model.center_of_mass,
+        "material": list(names[model.body_material]),
+        "fixed": np.asarray(model.fixed, np.int8),
+        **_pairs(model),
+        **_provenance(scene, model),
+    }
+
+
+def now() -> str:
+    """Clock time in UTC, ISO 8601."""
+    return datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+
+
+def _pairs(model: Model) -> dict[str, Any]:
+    names, pairs = model.material_names, model.pairs
+    rows = list(combinations_with_replacement(range(len(names)), 2))
+    return {
+        "pairs/pair": [f"{names[a]}, {names[b]}" for a, b in rows],
+        "pairs/material_a": [names[a] for a, _ in rows],
+        "pairs/material_b": [names[b] for _, b in rows],
+        **{
+            f"pairs/{name}": [getattr(pairs, name)[a, b] for a, b in rows]
+            for name in ("restitution", "static_friction", "kinetic_friction")
+        },
+        "pairs/source": [pairs.source[a][b] for a, b in rows],
+    }
+
+
+def _provenance(scene: Scene, model: Model) -> dict[str, Any]:
+    return {
+        "provenance/scene": scene.text,
+        "provenance/scene_resolved": scene.resolved_yaml(),
+        "provenance/mesh_sha256": json.dumps(dict(model.mesh_sha256), sort_keys=True),
+        "provenance/versions": json.dumps(_versions()),
+        "provenance/host": f"{platform.node()}, {platform.platform()}",
+        "provenance/command": shlex.join(sys.argv),
+        "provenance/started": now(),
+        "provenance/finished": "",
+        "provenance/wall_time": 0.0,
+    }
+
+
+def _versions() -> dict[str, str]:
+    versions = {"physsim": physsim.__version__, "python": platform.python_version()}
+    for name in PACKAGES:
+        try:
+            versions[name] = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    return versions

@@ -1,0 +1,171 @@
+"""The run loop: step, record, save, until the end or until somebody says stop."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from physsim.recording import Recorder
+from physsim.recording.layout import Status
+from physsim.simulation.measure import Measure
+from physsim.simulation.progress import Progress, Throttle
+from physsim.simulation.stop import StopRequest
+from physsim.simulation.world import Simulated
+
+# One call of the engine takes about this long, so that Ctrl-C and the progress bar come through.
+SECONDS_PER_CALL = 0.05
+# `until: at_rest` ends a run when every moving body has been at rest, as the engine sees it, for this long.
+REST_SECONDS = 0.25
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """When frames are due, in steps: every `steps_per_frame`, and at `steps`, the last. timestep in s."""
+
+    timestep: float
+    steps_per_frame: int
+    steps: int
+    until_rest: bool
+
+    def next_frame(self, step: int) -> int:
+        """The first step after `step` that has a frame."""
+        return min((step // self.steps_per_frame + 1) * self.steps_per_frame, self.steps)
+
+    def has_frame(self, step: int) -> bool:
+        return step % self.steps_per_frame == 0 or step == self.steps
+
+    def whole_frames(self, step: int) -> int:
+        """Frames at multiples of `steps_per_frame` up to and with `step`."""
+        return step // self.steps_per_frame + 1
+
+
+@dataclass(frozen=True)
+class Ending:
+    """How the loop ended: status and one sentence for the file."""
+
+    status: Status
+    detail: str
+
+
+class Loop:
+    """One run from its present step to its end. `step` is where it is."""
+
+    def __init__(
+        self,
+        simulated: Simulated,
+        measure: Measure,
+        schedule: Schedule,
+        *,
+        recorder: Recorder,
+        report: Throttle,
+        record_contacts: bool,
+        step: int = 0,
+    ) -> None:
+        self.step = step
+        self._world, self._answer = simulated.world, simulated.answer
+        self._measure = measure
+        self._schedule = schedule
+        self._recorder = recorder
+        self._report = report
+        self._record_contacts = record_contacts
+        self._pace = _Pace()
+        self._began = time.monotonic()
+
+    @property
+    def time(self) -> float:
+        """Simulated time [s]: the step number times the timestep."""
+        return self.step * self._schedule.timestep
+
+    @property
+    def wall_time(self) -> float:
+        return time.monotonic() - self._began
+
+    def run(self, stop: StopRequest) -> Ending:
+        """Steps and records until the end, rest, or a signal. What the engine raises passes through."""
+        if self.step == 0:
+            self._begin()
+        while self.step < self._schedule.steps:
+            if self._at_rest():
+                return self._ended("complete", f"at rest at {self.time:g} s")
+            self._advance_to_frame(stop)
+            if stop.signal is not None:
+                return self._ended("interrupted", f"stopped by {stop.signal.name} at {self.time:g} s")
+            self._record()
+            self._save_when_due()
+        return self._ended("complete", f"ran to its end at {self.time:g} s")
+
+    def checkpoint(self) -> bytes:
+        """The engine as it is, with the impacts up to here handed to the recorder."""
+        self._collect_events()
+        engine: bytes = self._world.save()
+        return engine
+
+    def _begin(self) -> None:
+        """Frame 0, the declared state, goes to the disk at once: from then on there is a file."""
+        self._record()
+        self._recorder.write_checkpoint(self.checkpoint(), self.step)
+
+    def _at_rest(self) -> bool:
+        return (
+            self._schedule.until_rest
+            and self._schedule.has_frame(self.step)
+            and self._world.solver()["rest_time"] >= REST_SECONDS
+        )
+
+    def _advance_to_frame(self, stop: StopRequest) -> None:
+        """To the next frame in calls of about `SECONDS_PER_CALL`; the steps are the same however they are
+        cut.
+        """
+        goal = self._schedule.next_frame(self.step)
+        while self.step < goal and stop.signal is None:
+            count = min(self._pace.steps, goal - self.step)
+            with self._pace.timed(count):
+                self._world.advance(count, self._answer)
+            self.step += count
+            self._report(lambda: self._progress("running"))
+
+    def _record(self) -> None:
+        self._collect_events()
+        contacts = self._contacts() if self._record_contacts else None
+        self._recorder.append(self.step, self.time, self._measure.frame(self._world), contacts)
+
+    def _contacts(self) -> Rows:
+        """Of the last step; none in frame 0, when no step has been done."""
+        found = self._measure.contacts(self._world)
+        return found if self.step else {path: rows[:0] for path, rows in found.items()}
+
+    def _collect_events(self) -> None:
+        events = self._measure.events(self._world)
+        if self._record_contacts:
+            self._recorder.append_events(events)
+
+    def _save_when_due(self) -> None:
+        if self._recorder.checkpoint_is_due:
+            self._recorder.write_checkpoint(self.checkpoint(), self.step)
+        elif self._recorder.block_is_full:
+            self._recorder.write_block()
+
+    def _ended(self, status: Status, detail: str) -> Ending:
+        self._report(lambda: self._progress(status), last=True)
+        return Ending(status, detail)
+
+    def _progress(self, status: Status) -> Progress:
+        schedule, contacts = self._schedule, int(self._world.solver()["contact_count"])
+        duration = schedule.steps * schedule.timestep
+        return Progress(self.time, duration, self.step, schedule.steps, self.wall_time, contacts, status)
+
+
+class _Pace:
+    """How many steps fit in one call of the engine, from how long the last call took."""
+
+    def __init__(self) -> None:
+        self.steps = 1
+
+    @contextmanager
+    def timed(self, count: int) -> Iterator[None]:
+        began = time.perf_counter()
+        yield
+        seconds = max(time.perf_counter() - began, 1e-9)
+        self.steps = max(1, min(int(count * SECONDS_PER_CALL / seconds), 2 * count + 1))

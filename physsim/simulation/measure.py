@@ -1,0 +1,127 @@
+"""From the engine's state to the rows of the trajectory file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from physsim.model import Model
+
+Floats = NDArray[np.float64]
+Rows = dict[str, Any]
+
+_AS_THE_ENGINE_SAYS = (
+    "body_a",
+    "body_b",
+    "position",
+    "normal",
+    "depth",
+    "normal_impulse",
+    "tangential_impulse",
+    "sliding",
+)
+
+
+class Measure:
+    """Turns what a world hands out into rows by dataset path; knows what of the model that takes."""
+
+    def __init__(self, model: Model) -> None:
+        self._moving = ~np.asarray(model.fixed, bool)
+        self._mass = np.asarray(model.mass)[self._moving]
+        self._inertia = np.asarray(model.inertia)[self._moving]
+        self._center = np.asarray(model.center_of_mass)
+        self._timestep = float(model.spec.simulation.timestep)
+        self._pair_rows = pair_rows(len(model.material_names))
+        self._energy = bool(model.spec.record.energy)
+
+    def frame(self, world: Any) -> Rows:
+        """One row of every dataset over time but `time` and `step`."""
+        state, solver = world.state(), world.solver()
+        rows: Rows = {
+            "position": origins(state["position"], state["orientation"], self._center),
+            "orientation": state["orientation"],
+            "velocity": state["velocity"],
+            "angular_velocity": state["angular_velocity"],
+            **{f"solver/{name}": solver[name] for name in ("residual", "iterations", "contact_count")},
+            **self._momentum(state),
+        }
+        if self._energy:
+            rows |= {f"energy/{name}": value for name, value in world.energies().items()}
+        return rows
+
+    def contacts(self, world: Any) -> Rows:
+        """The contact points of the last step, one row each.
+
+        Impulse j on A = normal and tangential part together; force = j / timestep, its mean over the step.
+        """
+        found = world.contacts()
+        impulse = found["normal_impulse"][:, None] * found["normal"] + found["tangential_impulse"]
+        same = (
+            "body_a",
+            "body_b",
+            "position",
+            "normal",
+            "depth",
+            "normal_impulse",
+            "tangential_impulse",
+            "sliding",
+        )
+        return {
+            **{f"contacts/{name}": found[name] for name in same},
+            "contacts/impulse": impulse,
+            "contacts/force": impulse / self._timestep,
+            "contacts/relative_velocity_before": found["velocity_before"],
+            "contacts/relative_velocity_after": found["velocity_after"],
+            "contacts/pair": self._pair_rows[found["material_a"], found["material_b"]],
+        }
+
+    @staticmethod
+    def events(world: Any) -> Rows:
+        """Impacts since the last call, one row each."""
+        return {f"events/{name}": rows for name, rows in world.events().items()}
+
+    def _momentum(self, state: dict[str, Any]) -> dict[str, Floats]:
+        """P = sum m v and, about the world's origin, L = sum (m x × v + R I R^T ω), over moving bodies.
+
+        Goldstein, Classical Mechanics, 3rd ed., eqs. 1.26 and 1.28.
+        """
+        x, q, v, w = (
+            state[name][self._moving] for name in ("position", "orientation", "velocity", "angular_velocity")
+        )
+        p = self._mass[:, None] * v
+        turn = rotation_matrices(q)
+        spin = np.einsum("nij,njk,nlk,nl->ni", turn, self._inertia, turn, w)
+        return {"momentum/linear": p.sum(axis=0), "momentum/angular": (np.cross(x, p) + spin).sum(axis=0)}
+
+
+def origins(center: Floats, orientation: Floats, offset: Floats) -> Floats:
+    """Body origins (N, 3) from centres of mass (N, 3), quaternions (N, 4) and offsets in body axes: x -
+    R(q) c.
+    """
+    found: Floats = center - np.einsum("nij,nj->ni", rotation_matrices(orientation), offset)
+    return found
+
+
+def rotation_matrices(q: Floats) -> Floats:
+    """R (N, 3, 3) of unit quaternions (N, 4), scalar first, body to world: v = R v_body.
+
+    R = (w² - u·u) 1 + 2 u uᵀ + 2 w [u]×, u the vector part; Diebel, "Representing Attitude" (2006), eq. 125.
+    """
+    w, u = q[:, 0], q[:, 1:]
+    cross = np.zeros((len(q), 3, 3))
+    cross[:, [2, 0, 1], [1, 2, 0]] = u
+    cross[:, [1, 2, 0], [2, 0, 1]] = -u
+    diagonal = (w**2 - (u**2).sum(axis=1))[:, None, None] * np.eye(3)
+    rotation: Floats = diagonal + 2 * u[:, :, None] * u[:, None, :] + 2 * w[:, None, None] * cross
+    return rotation
+
+
+def pair_rows(materials: int) -> NDArray[np.int32]:
+    """Row of /pairs for each ordered pair of materials, (M, M): (0, 0), (0, 1), ..., (1, 1), (1, 2), ..."""
+    rows = np.zeros((materials, materials), np.int32)
+    first, second = np.triu_indices(materials)
+    rows[first, second] = rows[second, first] = np.arange(len(first))
+    return rows

@@ -1,0 +1,247 @@
+"""`run`: a scene goes in, a trajectory file comes out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from physsim.errors import FileTrouble, PhyssimError, Problem, RunFailed
+from physsim.recording import Recorder, Target, Trajectory, open_trajectory, recorded
+from physsim.simulation.about import fixed_values, now, root_attributes
+from physsim.simulation.expectations import check_expectations, demand
+from physsim.simulation.loop import Ending, Loop, Schedule
+from physsim.simulation.measure import Measure
+from physsim.simulation.overlaps import overlap_problems, overlaps_of
+from physsim.simulation.progress import Report, Throttle
+from physsim.simulation.resume import Resumable, find_resumable
+from physsim.simulation.stop import Interrupted, StopRequest
+from physsim.simulation.world import Simulated, build
+
+if TYPE_CHECKING:
+    from physsim.model import Model
+    from physsim.recording.layout import Column
+    from physsim.scene import Scene
+
+Warn = Callable[[Problem], None]
+Changes = Mapping[str, Any] | list[str] | None
+
+
+def run(
+    scene: str | Path | Scene,
+    *,
+    set: Mapping[str, Any] | list[str] | None = None,
+    output: str | Path | None = None,
+    duration: float | str | None = None,
+    resume: bool = False,
+    force: bool = False,
+    progress: Report | None = None,
+    warn: Warn | None = None,
+    check: bool = False,
+) -> Trajectory:
+    """Runs a scene and returns its trajectory, open for reading.
+
+    scene: a file, or a Scene that is loaded already (then without `set` and `duration`). set: values to
+    change before the scene is validated, `{"bodies.ball.mass": "2 kg"}`. output: the trajectory file;
+    SCENE.h5 in the current folder when not given. duration: instead of the scene's, `"5 s"` or seconds.
+    resume: goes on from what is in `output`, bit for bit as if it had never stopped; starts anew when there
+    is nothing. force: replaces an old file. progress: called at most ten times a second. warn: called with
+    every warning about the scene. check: raises ExpectationFailed when an entry of `expect` does not hold;
+    the file is kept.
+
+    Raises SceneError when the scene is not valid, FileTrouble when the file cannot be written or another
+    file is in the way, RunFailed when the motion blows up (the file is kept, status failed), and
+    Interrupted on Ctrl-C or SIGTERM (the file is kept, status interrupted). While it runs in the main
+    thread those two signals are its own.
+    """
+    prepared = _prepared(scene, set, duration, output, warn)
+    found = find_resumable(prepared.target, prepared.scene, prepared.model) if resume else None
+    if found is None:
+        _refuse_bad_target(prepared, force)
+        path = _simulate(prepared, None, Throttle(progress))
+    elif _is_done(found, prepared.schedule):
+        path = found.path
+    else:
+        path = _simulate(prepared, found, Throttle(progress))
+    trajectory = open_trajectory(path)
+    if check:
+        with _closed_on_error(trajectory):
+            demand(check_expectations(trajectory, prepared.scene.spec.expect))
+    return trajectory
+
+
+@dataclass(frozen=True)
+class _Prepared:
+    """Everything that is known before the first step."""
+
+    scene: Scene
+    model: Model
+    schedule: Schedule
+    target: Target
+    warn: Warn
+
+
+def _prepared(
+    scene: str | Path | Scene,
+    changes: Changes,
+    duration: float | str | None,
+    output: str | Path | None,
+    warn: Warn | None,
+) -> _Prepared:
+    from physsim.model import compile_scene  # noqa: PLC0415, slow to import
+
+    told = warn or _ignore
+    loaded = _loaded(scene, changes, duration, told)
+    model = compile_scene(loaded)
+    for problem in model.warnings:
+        told(problem)
+    target = Target(Path(output) if output is not None else _default_output(loaded))
+    return _Prepared(loaded, model, _schedule(loaded), target, told)
+
+
+def _loaded(
+    scene: str | Path | Scene,
+    changes: Changes,
+    duration: float | str | None,
+    warn: Warn,
+) -> Scene:
+    from physsim.scene import Scene, load_scene  # noqa: PLC0415, slow to import
+
+    if not isinstance(scene, Scene):
+        return load_scene(scene, _with_duration(changes, duration), warn)
+    if changes or duration is not None:
+        raise TypeError("`set` and `duration` change scene files; load the scene with these overrides")
+    return scene
+
+
+def _with_duration(changes: Changes, duration: float | str | None) -> Changes:
+    if duration is None:
+        return changes
+    if isinstance(changes, list):
+        return [*changes, f"simulation.duration={duration}"]
+    return {**(changes or {}), "simulation.duration": duration}
+
+
+def _ignore(problem: Problem) -> None:
+    """Where nobody listens to warnings."""
+
+
+def _default_output(scene: Scene) -> Path:
+    if scene.path is None:
+        raise FileTrouble(
+            f"{scene.name}: was not read from a file, so `output` must name the trajectory file"
+        )
+    return Path(scene.path.stem + ".h5")
+
+
+def _schedule(scene: Scene) -> Schedule:
+    simulation = scene.spec.simulation
+    return Schedule(
+        timestep=simulation.timestep,
+        steps_per_frame=scene.spec.steps_per_frame,
+        steps=simulation.steps,
+        until_rest=simulation.until == "at_rest",
+    )
+
+
+def _refuse_bad_target(prepared: _Prepared, force: bool) -> None:
+    prepared.target.check(force=force)
+    numbers_per_body = 3 + 4 + 3 + 3
+    frames = prepared.schedule.whole_frames(prepared.schedule.steps)
+    prepared.target.check_space(frames * len(prepared.model.body_names) * numbers_per_body * 8)
+
+
+def _is_done(found: Resumable, schedule: Schedule) -> bool:
+    """Whether nothing is left to do. Raises FileTrouble when the file holds more than is asked for."""
+    if found.checkpoint.step > schedule.steps:
+        held, asked = (steps * schedule.timestep for steps in (found.checkpoint.step, schedule.steps))
+        raise FileTrouble(f"{found.path}: holds {held:g} s already, more than the {asked:g} s asked for")
+    return found.checkpoint.step == schedule.steps and found.status == "complete"
+
+
+def _simulate(prepared: _Prepared, found: Resumable | None, report: Throttle) -> Path:
+    """Builds the world, runs the loop, and brings the file to its end, whatever that is. Returns the file."""
+    simulated = build(prepared.model)
+    recorder = _started(prepared, simulated) if found is None else _resumed(prepared, simulated, found)
+    loop = Loop(
+        simulated,
+        Measure(prepared.model),
+        prepared.schedule,
+        recorder=recorder,
+        report=report,
+        record_contacts=prepared.scene.spec.record.contacts,
+        step=found.checkpoint.step if found else 0,
+    )
+    with StopRequest() as stop:
+        ending = _ending(loop, stop, recorder, prepared.model)
+        engine = None if ending.status == "failed" else loop.checkpoint()
+        took = loop.wall_time + (found.wall_time if found else 0.0)
+        provenance = {"provenance/finished": now(), "provenance/wall_time": took}
+        path = recorder.finish(ending.status, ending.detail, engine, loop.step, provenance)
+    return _kept(path, ending)
+
+
+def _started(prepared: _Prepared, simulated: Simulated) -> Recorder:
+    for problem in overlap_problems(prepared.scene, overlaps_of(simulated, prepared.model)):
+        prepared.warn(problem)
+    scene, model = prepared.scene, prepared.model
+    return Recorder.create(
+        prepared.target, _columns(scene), root_attributes(scene), fixed_values(scene, model)
+    )
+
+
+def _resumed(prepared: _Prepared, simulated: Simulated, found: Resumable) -> Recorder:
+    """The frame at the end of a shorter run is dropped when a run straight through would not have it."""
+    at = found.checkpoint
+    try:
+        simulated.world.restore(at.engine)
+    except ValueError as error:
+        raise FileTrouble(f"{found.path}: its checkpoint cannot be used: {error}") from error
+    schedule = prepared.schedule
+    frames = at.frames if at.step == schedule.steps else min(at.frames, schedule.whole_frames(at.step))
+    return Recorder.resume(found.path, prepared.target, _columns(prepared.scene), frames, at.events)
+
+
+def _columns(scene: Scene) -> tuple[Column, ...]:
+    return recorded(energy=scene.spec.record.energy, contacts=scene.spec.record.contacts)
+
+
+def _ending(loop: Loop, stop: StopRequest, recorder: Recorder, model: Model) -> Ending:
+    """How the loop ended; a blow-up or a failing engine is an ending too."""
+    from physsim._engine import Diverged, EngineError  # noqa: PLC0415, the tests put a small engine in its place
+
+    try:
+        return loop.run(stop)
+    except Diverged as error:
+        body, moment = error.args
+        name = model.body_names[body]
+        return Ending(
+            "failed", f"bodies.{name}: its motion blew up at {moment:g} s (not finite, or far too fast)"
+        )
+    except EngineError as error:
+        return Ending("failed", str(error))
+    except FileTrouble:
+        raise
+    except BaseException:
+        recorder.abandon()
+        raise
+
+
+def _kept(path: Path, ending: Ending) -> Path:
+    """The file, or the error that an ending other than complete is for the caller."""
+    if ending.status == "failed":
+        raise RunFailed(f"{ending.detail}; what was computed is in {path}")
+    if ending.status == "interrupted":
+        raise Interrupted(f"{ending.detail}; what was computed is in {path}, --resume goes on from there")
+    return path
+
+
+@contextmanager
+def _closed_on_error(trajectory: Trajectory) -> Iterator[None]:
+    try:
+        yield
+    except PhyssimError:
+        trajectory.close()
+        raise
