@@ -57,5 +57,4 @@ def failures(facts: Facts) -> str:
 
 def line(result: Facts) -> str:
     """One expectation: wanted, got, and whether it holds."""
-    colour = "green" if result["held"] else "red"
-    return f"  {click.style('held  ' if result['held'] else 'FAILED', fg=colour)}  {result['text']}"
+    return "  " + click.style(result["text"], fg="green" if result["held"] else "red")

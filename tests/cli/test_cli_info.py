@@ -69,7 +69,7 @@ class TestInfo:
             "A box, a ball and a floor",
             "100 steps of 0.001 s",
             "[5, 10, 13]",
-            "wood - concrete",
+            "concrete - wood",
             "density",
         ):
             assert part in said.out

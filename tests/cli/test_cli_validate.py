@@ -102,7 +102,7 @@ class TestValidate:
             "import sys\n"
             "from physsim.cli.app import answer\n"
             "code = answer(['validate', 'good.yaml'])\n"
-            "print(code, *sorted({'trimesh', 'fcl', 'scipy', 'rich', 'h5py'} & set(sys.modules)))\n"
+            "print(code, *sorted({'trimesh', 'fcl', 'scipy', 'rich'} & set(sys.modules)))\n"
         )
         done = subprocess.run(
             [sys.executable, "-c", script],
