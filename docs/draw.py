@@ -21,7 +21,7 @@ import physsim
 from physsim.model import rotation
 
 Array = Any
-WIDTH, HEIGHT, SMOOTHING = 480, 400, 2
+WIDTH, HEIGHT, SMOOTHING, GAP = 480, 400, 2, 6
 SKY, FLOOR, LINE = np.array([0.93, 0.95, 0.97]), np.array([0.80, 0.81, 0.80]), np.array([0.70, 0.71, 0.71])
 PALETTE = np.array(
     [
@@ -51,7 +51,7 @@ class Camera:
         forward /= np.linalg.norm(forward)
         right = np.cross(forward, [0, 0, 1])
         right /= np.linalg.norm(right)
-        return cls(target - 3.2 * size * forward, np.array([right, np.cross(right, forward), forward]), 4.6)
+        return cls(target - 6 * size * forward, np.array([right, np.cross(right, forward), forward]), 4.4)
 
     def pixels(self, points: Array) -> Array:
         """Columns, rows and depths [m] (n, 3) of world points (n, 3)."""
@@ -189,22 +189,27 @@ def main() -> None:
     colours = np.array(
         [PALETTE[list(families).index(name.partition("[")[0]) % len(PALETTE)] for name in moving]
     )
-    panels = []
     with physsim.open_trajectory(trajectory_file) as trajectory:
         clock = np.asarray(trajectory.time)
         frames = [int(np.abs(clock - float(time)).argmin()) for time in times]
         columns = [list(trajectory.body_names).index(name) for name in moving]
         positions = np.asarray(trajectory.position[:])[:, columns]
         turned = np.asarray(trajectory.orientation[:])[:, columns]
-    size = np.ptp(positions[frames[-1]], axis=0).max() / 2
-    camera = Camera.looking_at(positions[frames[-1]].mean(axis=0) + np.array([0, 0, size / 2]), size)
-    for frame in frames:
-        bodies = [
+    placed = [
+        [
             shape @ rotation.matrix(q).T + p
             for shape, q, p in zip(shapes, turned[frame], positions[frame], strict=True)
         ]
-        panels.append(picture(bodies, colours, camera, spacing=size / 2))
-    write_png(Path(target), np.concatenate(panels, axis=1))
+        for frame in frames
+    ]
+    corners = np.concatenate([triangles.reshape(-1, 3) for bodies in placed for triangles in bodies])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    size = (high - low).max() / 2
+    camera = Camera.looking_at((low + high) / 2, size)
+    panels = [picture(bodies, colours, camera, spacing=size / 2) for bodies in placed]
+    gap = np.ones((HEIGHT, GAP, 3))
+    row = [part for panel in panels for part in (panel, gap)][:-1]
+    write_png(Path(target), np.concatenate(row, axis=1))
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from physsim.cli import output, problems
-from physsim.cli.table import number, table, vector
+from physsim.cli.table import direction, number, place, table, vector
 
 if TYPE_CHECKING:
     from physsim.model import Model
@@ -125,14 +125,15 @@ def as_text(facts: Facts) -> str:
 
 
 def bodies_text(bodies: Sequence[Facts]) -> str:
-    """Two tables: where the mass is, and how it is spread."""
+    """Two tables: where the mass is, and how it is spread; copies of a repeated body are told once."""
+    bodies = without_copies(bodies)
     masses = [
         [
             body["name"],
             "fixed" if body["fixed"] else "moves",
             body["material"],
             number(body["mass"], 6),
-            vector(body["center_of_mass"]),
+            place(body["center_of_mass"]),
             body["method"],
         ]
         for body in bodies
@@ -141,7 +142,7 @@ def bodies_text(bodies: Sequence[Facts]) -> str:
         [
             body["name"],
             vector(body["principal_moments"]),
-            "; ".join(vector(axis, 3) for axis in body["principal_axes"]),
+            "; ".join(direction(axis) for axis in body["principal_axes"]),
         ]
         for body in bodies
         if body["principal_axes"] is not None
@@ -156,6 +157,17 @@ def bodies_text(bodies: Sequence[Facts]) -> str:
             table(("body", "principal moments [kg m^2]", "principal axes (body axes)"), inertias),
         ]
     )
+
+
+def without_copies(bodies: Sequence[Facts]) -> list[Facts]:
+    """One entry for each declared body: `brick[0,0,0]` and its copies become `brick (50 copies)`."""
+    copies: dict[str, list[Facts]] = {}
+    for body in bodies:
+        copies.setdefault(body["name"].partition("[")[0], []).append(body)
+    return [
+        group[0] | ({"name": f"{name} ({len(group)} copies)"} if len(group) > 1 else {})
+        for name, group in copies.items()
+    ]
 
 
 def pairs_text(pairs: Sequence[Facts]) -> str:
@@ -178,7 +190,7 @@ def overlaps_text(overlaps: Sequence[Facts]) -> str:
     if not overlaps:
         return "No bodies overlap at the start."
     rows = [
-        [" - ".join(overlap["between"]), number(overlap["depth"]), vector(overlap["position"])]
+        [" - ".join(overlap["between"]), number(overlap["depth"]), place(overlap["position"])]
         for overlap in overlaps
     ]
     return table(("overlap at the start", "depth [m]", "at [m]"), rows, right=(1,))

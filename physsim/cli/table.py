@@ -25,6 +25,16 @@ def vector(values: Sequence[float], digits: int = 4) -> str:
     return f"[{', '.join(number(value, digits) for value in values)}]"
 
 
+def place(values: Sequence[float]) -> str:
+    """A point in metres, to the nanometre: what is smaller is the dust of rounding."""
+    return vector([round(value, 9) + 0.0 for value in values])
+
+
+def direction(values: Sequence[float]) -> str:
+    """A unit vector in three decimals, without the dust of rounding: `[0, 0.707, -0.707]`."""
+    return vector([round(value, 3) + 0.0 for value in values])
+
+
 def _line(cells: Sequence[str], widths: Sequence[int], right: Sequence[int]) -> str:
     padded = [
         cell.rjust(width) if k in right else cell.ljust(width)
