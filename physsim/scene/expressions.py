@@ -64,6 +64,7 @@ class Result:
 
 
 Lookup = Callable[[str], Measure | None]
+"""Gives the value of a parameter, None when there is none of that name."""
 
 
 def evaluate(text: str, lookup: Lookup) -> Result:
@@ -116,8 +117,6 @@ class _Parser:
         return self.tokens[self.at - 1][1]
 
     def sum(self, depth: int) -> Measure:
-        if depth > MAX_NESTING:
-            raise ExpressionError(f"is nested deeper than {MAX_NESTING}")
         total = self.product(depth)
         while self.kind() in ("+", "-"):
             sign = 1.0 if self.take() == "+" else -1.0
@@ -133,10 +132,10 @@ class _Parser:
         return total
 
     def sign(self, depth: int) -> Measure:
-        if self.kind() not in ("+", "-"):
-            return self.power(depth)
         if depth > MAX_NESTING:
             raise ExpressionError(f"is nested deeper than {MAX_NESTING}")
+        if self.kind() not in ("+", "-"):
+            return self.power(depth)
         factor = -1.0 if self.take() == "-" else 1.0
         inner = self.sign(depth + 1)
         return Measure(factor * inner.value, inner.dimension)

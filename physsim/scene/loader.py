@@ -77,7 +77,8 @@ def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Sc
     places = Places(root, source.text)
     reading = Reading(_parameters(root))
     spec, found = _validated(root, reading, places, source.folder)
-    problems += found
+    already = {(problem.line, problem.column) for problem in problems if problem.line is not None}
+    problems += [problem for problem in found if (problem.line, problem.column) not in already]
     if spec is None or problems:
         raise SceneError(_in_order(problems), source.name)
     warnings = tuple(places.place(problem) for problem in _unused(spec, reading))
@@ -119,34 +120,25 @@ def _validated(
 ) -> tuple[SceneSpec | None, list[Problem]]:
     """The spec when its parts are right in themselves, and every problem, placed."""
     data: Any = nodes.plain(root)
-    problems: list[Problem] = []
+    empty = [path for path, _ in nodes.empty_places(root)]
+    problems = [places.place(_empty(path)) for path in empty]
     spec: SceneSpec | None = None
     draft: Draft
     try:
         spec = _with_frames(SceneSpec.model_validate(data, context=reading))
         draft = draft_of(spec, folder)
     except ValidationError as error:
-        problems = Translator(root, data, reading, places).problems(error)
+        found = Translator(root, data, reading, places).problems(error)
+        problems += [problem for problem in found if problem.path not in empty]
         draft = salvaged(data, reading, folder)
-    problems += [places.place(problem) for problem in all_problems(draft)]
-    return spec, problems + _empty(root, places, {problem.path for problem in problems})
+    return spec, problems + [places.place(problem) for problem in all_problems(draft)]
 
 
-def _empty(root: nodes.Mapping, places: Places, told_already: set[tuple[PathPart, ...]]) -> list[Problem]:
+def _empty(path: tuple[PathPart, ...]) -> Problem:
     """A key without a value is a value that was forgotten, or a comment: `color: #d33`."""
-    return [
-        places.place(Problem(path, "is empty: give a value, or leave the key out", hint=_quotes_hint(path)))
-        for path, _ in nodes.empty_places(root)
-        if path not in told_already
-    ]
-
-
-def _quotes_hint(path: tuple[PathPart, ...]) -> str | None:
-    return (
-        'a colour starts with #, which begins a comment: put it in quotes, "#d33"'
-        if path[-1:] == ("color",)
-        else None
-    )
+    hint = 'a colour starts with #, which begins a comment: put it in quotes, "#d33"'
+    message = "is empty: give a value, or leave the key out"
+    return Problem(path, message, hint=hint if path[-1:] == ("color",) else None)
 
 
 def _with_frames(spec: SceneSpec) -> SceneSpec:
@@ -158,7 +150,8 @@ def _with_frames(spec: SceneSpec) -> SceneSpec:
 
 
 def _frame_time(wanted: float, simulation: SimulationSpec) -> float:
-    return max(1, round(wanted / simulation.timestep)) * simulation.timestep
+    """A whole number of timesteps, without the dust of the last bit (0.009, not 0.009000000000000001)."""
+    return float(f"{max(1, round(wanted / simulation.timestep)) * simulation.timestep:.15g}")
 
 
 def _in_order(problems: list[Problem]) -> list[Problem]:

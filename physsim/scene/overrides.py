@@ -142,7 +142,9 @@ def _next_part(node: Node, rest: str, path: list[PathPart]) -> tuple[PathPart, s
         new = _KEY.match(rest)
         if new:
             return new[0], _behind(rest, new.end())
-    raise OverrideError(f"cannot be followed at '{rest[:_SHOWN]}'", _copy_hint(rest, path))
+    raise OverrideError(
+        f"cannot be followed at '{rest[:_SHOWN]}'", _copy_hint(rest, path) or _items_hint(node)
+    )
 
 
 def _copy_hint(rest: str, path: list[PathPart]) -> str | None:

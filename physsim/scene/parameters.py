@@ -6,7 +6,6 @@ import re
 from collections.abc import Mapping
 
 from physsim.scene.expressions import ExpressionError, Result, evaluate
-from physsim.scene.suggest import did_you_mean
 from physsim.scene.units import PLAIN, Measure, UnitError, dimension_text, parse_measure, parse_unit, same
 
 NAME = re.compile(r"[^\W\d]\w{0,59}\Z")
@@ -18,6 +17,14 @@ class BrokenParameter(ValueError):
     """A parameter that is used is wrong itself; that is told where it stands."""
 
 
+class TangleError(ExpressionError):
+    """Parameters refer to each other in a circle, or through too many others; told at the first of them."""
+
+    def __init__(self, message: str, names: list[str]) -> None:
+        super().__init__(message)
+        self.names = names
+
+
 class Parameters:
     """Values of parameters by name, and of every text that uses them."""
 
@@ -26,6 +33,7 @@ class Parameters:
         self._known: dict[str, Measure] = {}
         self._broken: set[str] = set()
         self._asking: list[str] = []
+        self._chain_told = False
         self.used: set[str] = set()
 
     def read(self, text: str) -> Result:
@@ -67,8 +75,10 @@ class Parameters:
     def _compute(self, name: str) -> Measure:
         try:
             self._known[name] = self.value(name)
-        except (UnitError, ExpressionError, ValueError):
+        except (UnitError, ExpressionError, BrokenParameter) as error:
             self._broken.add(name)
+            if isinstance(error, TangleError) and self._asking:
+                raise
             raise BrokenParameter(name) from None
         return self._known[name]
 
@@ -76,24 +86,31 @@ class Parameters:
         """The parameter's own value. Raises like `read`; ExpressionError when it refers to itself."""
         if name in self._asking:
             circle = [*self._asking[self._asking.index(name) :], name]
-            raise ExpressionError(f"refers to itself: {' -> '.join(circle[:8])}")
+            raise TangleError(f"refers to itself: {' -> '.join(circle[:8])}", circle)
         if len(self._asking) >= MAX_CHAIN:
-            raise ExpressionError(f"refers through more than {MAX_CHAIN} parameters")
+            raise self._chained()
         self._asking.append(name)
         try:
             return measured(self._given[name], self).measure
+        except TangleError as error:
+            if name not in error.names:
+                raise BrokenParameter(name) from None
+            raise
         finally:
             self._asking.pop()
 
-    def unknown_hint(self, name: str) -> str | None:
-        """The parameter that was probably meant."""
-        return did_you_mean(name, self._given)
+    def _chained(self) -> Exception:
+        """The trouble of a chain that is too long, told once and not again for every part of it."""
+        if self._chain_told:
+            return BrokenParameter(self._asking[0])
+        self._chain_told = True
+        return TangleError(f"refers through more than {MAX_CHAIN} parameters", list(self._asking))
 
 
 def measured(value: object, parameters: Parameters) -> Result:
     """A number or text as a measure. Raises UnitError, ExpressionError or BrokenParameter."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
-        raise UnitError("must be a number" if value is not None else "is empty, a number is needed")
+        raise UnitError("must be a number")
     if isinstance(value, str):
         return parameters.read(value)
     return Result(Measure(float(value)), as_written=True)

@@ -44,12 +44,16 @@ def _step(node: Node, part: PathPart) -> Entry | Node | None:
 
 
 def place_of(root: Node, path: Items[PathPart], at_key: bool = False) -> Place:
-    """The place of the path's value; of its key when at_key, for mappings and for lists without brackets."""
+    """The place of the path's value; of its key when at_key and where there is little to point at."""
     found = find(root, path)
-    in_line = isinstance(found.node, Scalar) or (isinstance(found.node, Sequence) and found.node.flow)
-    if found.complete and in_line and not at_key:
+    if found.complete and not at_key and _stands_in_line(found.node):
         return found.node.place
     return found.key_place or found.node.place
+
+
+def _stands_in_line(node: Node) -> bool:
+    """Whether the value itself can be pointed at: a word or number that is there, or a list in brackets."""
+    return node.value is not None if isinstance(node, Scalar) else isinstance(node, Sequence) and node.flow
 
 
 class Places:

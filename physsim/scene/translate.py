@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any, ClassVar
 
 from pydantic import ValidationError
@@ -49,14 +50,25 @@ class Translator:
         path = self._path(details["loc"])
         kind: str = details["type"]
         context = details.get("ctx", {})
-        if kind == TOLD_ELSEWHERE:
+        if "[key]" in details["loc"]:
+            context = {**context, "points_at_key": True}
+        if kind == TOLD_ELSEWHERE or (kind == "too_short" and self._is_long_enough(path, context)):
             return None
         if kind == "missing":
             return self._missing(path, wanted)
         handler = self._HANDLERS.get(kind)
         if handler is not None:
             return handler(self, path, context)
-        return self._at_value(path, _message(kind, context) or details["msg"])
+        problem = Problem(path, _message(kind, context) or details["msg"], self._given(path))
+        if kind == "too_long":
+            first_too_many = self._places.place(Problem((*path, context["max_length"]), ""))
+            return replace(first_too_many, path=path, message=problem.message, given=problem.given)
+        return self._places.place(problem)
+
+    def _is_long_enough(self, path: Path, context: dict[str, Any]) -> bool:
+        """pydantic does not count items that are wrong in themselves; those are told one by one."""
+        value = _below(self._data, path)
+        return isinstance(value, list | dict) and len(value) >= context["min_length"]
 
     def _own(self, path: Path, context: dict[str, Any]) -> Problem:
         path = (*path, *context["at"])
@@ -158,7 +170,8 @@ def _message(kind: str, context: dict[str, Any]) -> str | None:
     if kind == "too_long":
         return f"must have at most {context['max_length']} items"
     if kind == "too_short":
-        return f"must have at least {context['min_length']} items"
+        least = context["min_length"]
+        return "must not be empty" if least == 1 else f"must have at least {least} items"
     return {
         "tuple_type": "must be a list, in brackets or with a dash per line",
         "dict_type": "must be a mapping (name: ...)",

@@ -9,6 +9,8 @@ from physsim.scene.spec.bodies import InertiaSpec
 # Share of the largest moment by which the triangle inequality may be missed: thin plates reach equality, and
 # published tensors are rounded.
 ROUNDING = 1e-9
+# Share of the largest moment below which the smallest counts as zero: what rounding makes of an exact zero.
+NOTHING = 1e-12
 
 
 def inertia_trouble(inertia: InertiaSpec) -> str | None:
@@ -19,7 +21,7 @@ def inertia_trouble(inertia: InertiaSpec) -> str | None:
     """
     low, middle, high = principal_moments(inertia)
     told = f"principal moments {low:g}, {middle:g}, {high:g} kg m^2"
-    if low <= 0:
+    if low <= NOTHING * high:
         return f"is not positive definite ({told})"
     if low + middle < high * (1 - ROUNDING):
         return f"breaks the triangle inequality: no body turns so hard about one axis ({told})"
@@ -34,7 +36,7 @@ def principal_moments(inertia: InertiaSpec) -> tuple[float, float, float]:
     mean = (xx + yy + zz) / 3
     a, b, c = xx - mean, yy - mean, zz - mean
     spread = math.sqrt((a * a + b * b + c * c + 2 * (xy * xy + xz * xz + yz * yz)) / 6)
-    if spread == 0:
+    if spread < 1e-15:
         return (mean * scale,) * 3
     determinant = a * (b * c - yz * yz) - xy * (xy * c - yz * xz) + xz * (xy * yz - b * xz)
     angle = math.acos(max(-1.0, min(1.0, determinant / (2 * spread**3)))) / 3

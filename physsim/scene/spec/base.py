@@ -20,9 +20,7 @@ class Spec(BaseModel):
     def _remember(cls, data: Any, info: ValidationInfo) -> Any:
         """Note which keys belong to this mapping, so that an unknown one can be compared with them."""
         if not isinstance(data, dict):
-            raise slip(
-                "must be a mapping (key: value)" if data is not None else "is empty, a mapping is needed"
-            )
+            raise slip("must be a mapping (key: value)")
         if isinstance(info.context, Reading):
             info.context.models[id(data)] = cls
         return data

@@ -34,9 +34,7 @@ class Name:
     def read(self, value: object) -> str:
         """The name itself."""
         if not isinstance(value, str):
-            raise slip(
-                "must be a name", hint=None if value is None else f'put it in quotes: "{str(value)[:40]}"'
-            )
+            raise slip("must be a name", hint=f'put it in quotes: "{str(value)[:40]}"')
         trouble = self._trouble(value)
         if trouble:
             raise slip(trouble)

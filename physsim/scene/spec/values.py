@@ -220,9 +220,7 @@ class Text:
     def read(self, value: object) -> str:
         """The text itself."""
         if not isinstance(value, str):
-            raise slip(
-                "must be text", hint=None if value is None else f'put it in quotes: "{str(value)[:40]}"'
-            )
+            raise slip("must be text", hint=f'put it in quotes: "{str(value)[:40]}"')
         if not value and not self.empty:
             raise slip("must not be empty")
         if len(value) > self.longest:
