@@ -157,9 +157,9 @@ impl Impacts {
             self.before.push(u + DVec3::X * gained);
             self.gained.push(gained);
         }
-        // Impacts are rare and remembered for ever: solved as far as rounding allows.
+        // Impacts are few, and what they do lasts: solved as far as rounding allows.
         let limits = Limits {
-            iterations: rules.iterations.max(20),
+            iterations: 20 * rules.iterations,
             tolerance: (1e-13 * fastest).min(rules.tolerance),
         };
         self.solver.solve(bodies, contacts, &self.hit, limits);

@@ -23,6 +23,9 @@ use crate::subspace::Subspace;
 
 /// Sweeps between two linear solves.
 const SWEEPS: usize = 4;
+/// A linear solve goes on until its residual is this part of what it was: its guess of which contacts carry is seldom
+/// worth more.
+const LEAP: f64 = 1e-3;
 
 /// What a solve came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -145,13 +148,14 @@ impl Solver {
 
     /// Sweeps and linear solves in turn, until a sweep changes nothing any more. Ends with a sweep, so that every
     /// impulse lies in its cone. A linear solve may guess wrongly which contacts carry, and the next sweeps then have
-    /// more to mend than before: where the sweeps run out, the best impulses seen are taken.
+    /// more to mend than before: the next guess waits longer, and where the sweeps run out the best impulses are taken.
     fn iterate(&mut self, contacts: &mut [Contact], which: &[usize], part: Part, limits: Limits) -> Report {
         let mut iterations = 0;
         let mut best = f64::INFINITY;
+        let mut patience = SWEEPS;
         loop {
             let mut residual = f64::INFINITY;
-            for _ in 0..SWEEPS {
+            for _ in 0..patience {
                 residual = self.sweep(contacts, which, part, iterations % 2 == 1);
                 iterations += 1;
                 if residual < limits.tolerance || iterations >= limits.iterations {
@@ -160,6 +164,9 @@ impl Solver {
             }
             if residual < limits.tolerance {
                 return Report { residual, iterations };
+            }
+            if residual > 0.5 * best {
+                patience *= 2;
             }
             if residual < best {
                 best = residual;
@@ -207,7 +214,7 @@ impl Solver {
     ) {
         let movers = &self.movers;
         let velocity = |c: &Contact| velocity_of(movers, c);
-        self.subspace.solve(contacts, which, part, movers, velocity, 0.1 * reduction);
+        self.subspace.solve(contacts, which, part, movers, velocity, (0.1 * reduction).max(LEAP));
         for (slot, &k) in which.iter().enumerate() {
             let old = contacts[k].impulse;
             let new = match part {

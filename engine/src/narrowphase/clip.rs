@@ -9,6 +9,8 @@ use glam::{DMat3, DVec3};
 
 /// Lateral distances below this share of the features' size are rounding.
 const ROUNDING: f64 = 1e-11;
+/// Corners of a clipped polygon that stand out by less than this share of its size are no corners.
+const STRAIGHT: f64 = 1e-3;
 /// Segments within this angle (sine) are parallel and touch along a line.
 const PARALLEL: f64 = 2e-3;
 /// A polygon whose projection keeps less than this share of its area is seen edge-on.
@@ -216,13 +218,37 @@ fn polygons(
         cut(from, &side, to);
         std::mem::swap(from, to);
     }
-    for (i, p) in from.iter().enumerate() {
-        let before = from[(i + from.len() - 1) % from.len()];
-        let merged =
-            i > 0 && lateral_length(*p - before) <= ROUNDING * lateral_length(*p - from[0]);
-        if !merged {
-            emit(p.x, p.y, on_a.height(*p), on_b.height(*p));
+    tidy(from, to);
+    for p in to.iter() {
+        emit(p.x, p.y, on_a.height(*p), on_b.height(*p));
+    }
+}
+
+/// Leaves out corners that lie on the line between their neighbours, but for [`STRAIGHT`] of the polygon's size: faces
+/// that are all but aligned cross in points that jump along their edges from step to step, and carry nothing that the
+/// true corners do not.
+fn tidy(from: &[DVec3], to: &mut Vec<DVec3>) {
+    to.clear();
+    let Some(&last) = from.last() else { return };
+    let size = from
+        .iter()
+        .map(|p| lateral_length(*p - last))
+        .fold(0.0, f64::max);
+    let mut before = last;
+    for (i, &p) in from.iter().enumerate() {
+        let next = from[(i + 1) % from.len()];
+        let (chord, offset) = (next - before, p - before);
+        let height = (chord.x * offset.y - chord.y * offset.x).abs();
+        if height > STRAIGHT * size * lateral_length(chord)
+            || lateral_length(chord) <= STRAIGHT * size
+        {
+            to.push(p);
+            before = p;
         }
+    }
+    if to.len() < 3 {
+        to.clear();
+        to.extend_from_slice(from);
     }
 }
 
