@@ -7,21 +7,19 @@ it, so neighbouring triangles in one plane are joined again.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
+from physsim.model.coplanar import merged_faces
 from physsim.model.polyhedron import IntArray
 from physsim.model.rotation import FloatArray
 from physsim.model.trouble import ShapeTrouble
 
-PLANAR = 1e-6
-"""Triangles are one face when their corners lie within this part of the hull's size of one plane.
-
-STL files carry 6e-8 of rounding; a sphere of 20 000 triangles has neighbours that differ by 1e-4.
-"""
+MAX_TRIANGLES = 50_000
+"""Qhull's triangles; a hull with more corners than half of that would take the solver's whole day."""
 
 THIN = 1e-7
 """A point set thinner than this part of its size is flat."""
@@ -48,7 +46,13 @@ def convex_hull(points: FloatArray) -> Hull:
     size, middle = _extent(points)
     scaled = (points - middle) / size
     triangles = _qhull_triangles(scaled)
-    faces = _merged(scaled, triangles)
+    if len(triangles) > MAX_TRIANGLES:
+        raise ShapeTrouble(
+            f"has a convex hull of {len(triangles)} triangles",
+            allowed=f"at most {MAX_TRIANGLES}",
+            hint="simplify it; a few hundred are plenty for contacts",
+        )
+    faces = merged_faces(scaled, triangles)
     corners = _corner_vertices(faces)
     kept = [tuple(v for v in face if v in corners) for face in faces]
     numbers = {old: new for new, old in enumerate(sorted(corners))}
@@ -84,84 +88,6 @@ def _qhull_triangles(points: FloatArray) -> npt.NDArray[np.int64]:
     inward = np.einsum("ti,ti->t", normals, hull.equations[:, :3]) < 0
     triangles[inward] = triangles[inward][:, ::-1]
     return triangles
-
-
-def _merged(points: FloatArray, triangles: npt.NDArray[np.int64]) -> list[tuple[int, ...]]:
-    """Polygons, grown from the largest triangle over its neighbours as long as they stay in its plane."""
-    corners = points[triangles]
-    doubled = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    areas = np.linalg.norm(doubled, axis=1)
-    neighbours = _neighbours(triangles)
-    free = set(range(len(triangles)))
-    faces: list[tuple[int, ...]] = []
-    for seed in np.argsort(-areas, kind="stable").tolist():
-        if seed not in free:
-            continue
-        normal = doubled[seed] / max(float(areas[seed]), np.finfo(np.float64).tiny)
-        plane = _Plane(corners[seed, 0], normal)
-        region = _grown(seed, free, neighbours, lambda t, p=plane: p.holds(corners[t], doubled[t]))  # type: ignore[misc]
-        loop = _boundary([triangles[t] for t in region])
-        if loop is None or not _is_convex(points[list(loop)], normal):
-            region, loop = [seed], tuple(triangles[seed].tolist())
-        free.difference_update(region)
-        faces.append(loop)
-    return faces
-
-
-@dataclass(frozen=True)
-class _Plane:
-    origin: FloatArray
-    normal: FloatArray
-
-    def holds(self, corners: FloatArray, doubled: FloatArray) -> bool:
-        """Whether a triangle lies in the plane and looks the same way."""
-        near = np.abs((corners - self.origin) @ self.normal).max() <= PLANAR
-        return bool(near and doubled @ self.normal >= 0)
-
-
-def _grown(
-    seed: int, free: set[int], neighbours: dict[int, list[int]], fits: Callable[[int], bool]
-) -> list[int]:
-    """The free triangles connected to `seed` that fit."""
-    region, waiting = {seed}, [seed]
-    while waiting:
-        for other in neighbours[waiting.pop()]:
-            if other in free and other not in region and fits(other):
-                region.add(other)
-                waiting.append(other)
-    return sorted(region)
-
-
-def _neighbours(triangles: npt.NDArray[np.int64]) -> dict[int, list[int]]:
-    by_edge: dict[tuple[int, int], list[int]] = defaultdict(list)
-    for number, (a, b, c) in enumerate(triangles.tolist()):
-        for start, end in ((a, b), (b, c), (c, a)):
-            by_edge[min(start, end), max(start, end)].append(number)
-    found: dict[int, list[int]] = defaultdict(list)
-    for sharing in by_edge.values():
-        for number in sharing:
-            found[number].extend(other for other in sharing if other != number)
-    return found
-
-
-def _boundary(region: Sequence[npt.NDArray[np.int64]]) -> tuple[int, ...] | None:
-    """The one loop around a set of triangles, or None when it is not one simple loop."""
-    edges = {(int(t[i]), int(t[(i + 1) % 3])) for t in region for i in range(3)}
-    follows = {start: end for start, end in edges if (end, start) not in edges}
-    outline = sum((end, start) not in edges for start, end in edges)
-    loop = [min(follows)] if follows else []
-    while loop and follows[loop[-1]] != loop[0] and len(loop) <= outline:
-        loop.append(follows[loop[-1]])
-    return tuple(loop) if len(loop) == outline == len(follows) else None
-
-
-def _is_convex(polygon: FloatArray, normal: FloatArray) -> bool:
-    """Whether no corner bends inwards by more than the planarity tolerance."""
-    ahead = np.roll(polygon, -1, axis=0) - polygon
-    behind = polygon - np.roll(polygon, 1, axis=0)
-    turns = np.cross(behind, ahead) @ normal
-    lengths = np.linalg.norm(ahead, axis=1) + np.linalg.norm(behind, axis=1)
-    return bool((turns >= -PLANAR * lengths).all())
 
 
 def _corner_vertices(faces: Sequence[tuple[int, ...]]) -> set[int]:

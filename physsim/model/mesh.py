@@ -17,12 +17,13 @@ from typing import Any
 import numpy as np
 
 from physsim.model import polyhedron
+from physsim.model.mesh_text import geometry_only
 from physsim.model.polyhedron import IntArray
 from physsim.model.rotation import FloatArray
 from physsim.model.trouble import ShapeTrouble
 
 MAX_BYTES = 200_000_000
-MAX_TRIANGLES = 2_000_000
+MAX_TRIANGLES = 1_000_000
 """Beyond this a mesh takes gigabytes and minutes before the first step."""
 
 WELD = 1e-7
@@ -115,7 +116,7 @@ def _parsed(data: bytes, file_type: str) -> tuple[FloatArray, IntArray]:
 
     try:
         loaded = trimesh.load_mesh(
-            io.BytesIO(data),
+            io.BytesIO(geometry_only(data, file_type)),
             file_type=file_type,
             process=False,
             validate=False,

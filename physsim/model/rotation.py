@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import atan2, cos, hypot, sin
 
 import numpy as np
 import numpy.typing as npt
@@ -44,13 +45,11 @@ def product(a: Sequence[float] | FloatArray, b: Sequence[float] | FloatArray) ->
 def from_z_to(direction: Sequence[float] | FloatArray) -> FloatArray:
     """The shortest turn, shape (4,), that takes the z axis into `direction` (any length but zero).
 
-    Half-angle form q = (1 + z.d, z x d) normalised. For d = -z every axis in the xy plane is as short; x is
-    taken.
+    By the angle atan2(|z x d|, z.d) about z x d, which keeps its digits near d = -z, where the form
+    (1 + z.d, z x d) loses them. For d = -z every axis in the xy plane is as short; x is taken.
     """
-    d = np.asarray(direction, dtype=np.float64)
-    d = d / np.linalg.norm(d)
-    if d[2] < -1 + 1e-15:
-        return np.array([0.0, 1.0, 0.0, 0.0])
-    q = np.array([1 + d[2], -d[1], d[0], 0.0])
-    unit: FloatArray = q / np.linalg.norm(q)
-    return unit
+    x, y, z = (float(part) for part in direction)
+    across = hypot(x, y)
+    half = atan2(across, z) / 2
+    axis = (-y / across, x / across) if across > 1e-150 else (1.0, 0.0)  # below it the quotients lose digits
+    return np.array([cos(half), sin(half) * axis[0], sin(half) * axis[1], 0.0])
