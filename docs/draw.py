@@ -21,7 +21,7 @@ import physsim
 from physsim.model import rotation
 
 Array = Any
-WIDTH, HEIGHT, SMOOTHING, GAP = 480, 400, 2, 6
+WIDTH, HEIGHT, SMOOTHING, GAP = 420, 460, 2, 6
 SKY, FLOOR, LINE = np.array([0.93, 0.95, 0.97]), np.array([0.80, 0.81, 0.80]), np.array([0.70, 0.71, 0.71])
 PALETTE = np.array(
     [
@@ -45,13 +45,15 @@ class Camera:
     focus: float
 
     @classmethod
-    def looking_at(cls, target: Array, size: float) -> Camera:
-        """A view from the front right and above that holds `size` metres around `target`."""
-        forward = np.array([-0.55, 0.75, -0.42])
-        forward /= np.linalg.norm(forward)
-        right = np.cross(forward, [0, 0, 1])
-        right /= np.linalg.norm(right)
-        return cls(target - 6 * size * forward, np.array([right, np.cross(right, forward), forward]), 4.4)
+    def around(cls, points: Array) -> Camera:
+        """A view from the front right and above that holds all the points (n, 3) [m]."""
+        forward = np.array([-0.55, 0.75, -0.42]) / np.linalg.norm([-0.55, 0.75, -0.42])
+        right = np.cross(forward, [0, 0, 1]) / np.linalg.norm(np.cross(forward, [0, 0, 1]))
+        axes, focus = np.array([right, np.cross(right, forward), forward]), 4.4
+        seen = points @ axes.T
+        middle, half = (seen.max(axis=0) + seen.min(axis=0)) / 2, np.ptp(seen, axis=0) / 2
+        distance = 1.12 * focus * max(half[1], half[0] * HEIGHT / WIDTH) + half[2]
+        return cls((middle - [0, 0, distance]) @ axes, axes, focus)
 
     def pixels(self, points: Array) -> Array:
         """Columns, rows and depths [m] (n, 3) of world points (n, 3)."""
@@ -103,6 +105,15 @@ def mesh_of(shape: Any, scene: Any) -> Any:
     return mesh
 
 
+def colour_of(material: str, scene: Any) -> Array:
+    """The colour that the scene gives the material, else one of the palette that stays with its name."""
+    declared = scene.spec.materials.get(material)
+    if declared is None or declared.color is None:
+        return PALETTE[sum(material.encode()) % len(PALETTE)]
+    digits = declared.color[1:] if len(declared.color) == 7 else "".join(2 * c for c in declared.color[1:])
+    return np.array([int(digits[k : k + 2], 16) for k in (0, 2, 4)]) / 255
+
+
 def fill(pixels: Array, depth: Array, paint: Array | None, colour: Array) -> None:
     """Put a triangle (3, 3) of columns, rows, depths into the depth buffer, and its colour where nearest."""
     low = np.maximum(np.floor(pixels[:, :2].min(axis=0)).astype(int), 0)
@@ -145,7 +156,7 @@ def floor_picture(camera: Camera, spacing: float) -> Array:
     return np.where(np.isnan(distance)[..., None], SKY, fading * floor + (1 - fading) * SKY)
 
 
-def picture(bodies: list[Array], colours: Array, camera: Camera, spacing: float) -> Array:
+def picture(bodies: list[Array], colours: list[Array], camera: Camera, spacing: float) -> Array:
     """Bodies as world triangles, their colours: an image (HEIGHT, WIDTH, 3) from 0 to 1."""
     everything = np.concatenate(bodies)
     image = floor_picture(camera, spacing) * (1 - 0.45 * shadow(everything, camera))[..., None]
@@ -185,10 +196,7 @@ def main() -> None:
     scene = physsim.load(scene_file)
     moving = {name: body for name, body in scene.bodies.items() if not body.fixed}
     shapes = [triangles_of(body.shape, scene) for body in moving.values()]
-    families = {name.partition("[")[0]: None for name in moving}
-    colours = np.array(
-        [PALETTE[list(families).index(name.partition("[")[0]) % len(PALETTE)] for name in moving]
-    )
+    colours = [colour_of(body.material, scene) for body in moving.values()]
     with physsim.open_trajectory(trajectory_file) as trajectory:
         clock = np.asarray(trajectory.time)
         frames = [int(np.abs(clock - float(time)).argmin()) for time in times]
@@ -203,10 +211,8 @@ def main() -> None:
         for frame in frames
     ]
     corners = np.concatenate([triangles.reshape(-1, 3) for bodies in placed for triangles in bodies])
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    size = (high - low).max() / 2
-    camera = Camera.looking_at((low + high) / 2, size)
-    panels = [picture(bodies, colours, camera, spacing=size / 2) for bodies in placed]
+    camera = Camera.around(corners)
+    panels = [picture(bodies, colours, camera, np.ptp(corners, axis=0).max() / 5) for bodies in placed]
     gap = np.ones((HEIGHT, GAP, 3))
     row = [part for panel in panels for part in (panel, gap)][:-1]
     write_png(Path(target), np.concatenate(row, axis=1))

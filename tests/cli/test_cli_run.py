@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import signal
 import subprocess
 import time
@@ -178,3 +179,26 @@ def test_the_bar_is_drawn_on_a_terminal_and_leaves_stdout_alone(fall: Path) -> N
     assert "A ball falls freely" in seen
     assert "real time" in seen
     assert ESCAPE in seen
+
+
+def test_a_full_disk_is_exit_3_and_what_was_written_can_be_read(fall: Path) -> None:
+    """A limit on the file's size stands in for a full disk; h5py cannot even close its file after either."""
+    command = (
+        f"ulimit -f 3000; {shlex.join(PHYSSIM)} run fall.yaml --duration '200 s' --set record.every='1 ms'"
+    )
+    done = subprocess.run(
+        ["bash", "-c", command],
+        cwd=fall.parent,
+        env=clean_environment(),
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
+    assert done.returncode == 3
+    assert done.stderr.startswith("physsim: fall.h5: ")
+    assert done.stderr.count("\n") == 1
+    with open_trajectory(fall.with_suffix(".h5")) as trajectory:
+        assert trajectory.frames > 1000
+        assert trajectory.status == "interrupted"
