@@ -1,7 +1,9 @@
-"""A check that HDF5 leaves out: a damaged heap of texts makes it run in a circle for ever (seen with HDF5 2.0).
+"""A check that HDF5 leaves out: a damaged heap of texts makes it run in a circle for ever (seen with HDF5
+2.0).
 
-Layout: HDF5 File Format Specification 3.0, III.E, "Disk Format: Level 1E - Global Heap". A collection is "GCOL",
-version 1, its size, then objects, each with a header of 16 bytes; object 0 is the free space and counts its header.
+Layout: HDF5 File Format Specification 3.0, III.E, "Disk Format: Level 1E - Global Heap". A collection is
+"GCOL", version 1, its size, then objects, each with a header of 16 bytes; object 0 is the free space and
+counts its header.
 """
 
 from __future__ import annotations
@@ -13,7 +15,8 @@ from pathlib import Path
 _MARK = b"GCOL\x01"
 _HEADER = 16
 _SMALLEST = 4096
-# Texts are written when a file is made and when it is finished: only so much of its two ends is looked through.
+# Texts are written when a file is made and when it is finished: only so much of its two ends is looked
+# through.
 BYTES_AT_EACH_END = 32 << 20
 
 
@@ -24,7 +27,7 @@ def broken_heap(path: Path) -> int | None:
 
 
 def _heaps(data: mmap.mmap) -> Iterator[int]:
-    """Where collections begin. What only looks like one says an impossible size, which HDF5 refuses itself."""
+    """Where collections begin. What only looks like one says an impossible size: HDF5 refuses that itself."""
     end, tail = len(data), max(0, len(data) - BYTES_AT_EACH_END)
     for first, last in ((0, min(end, BYTES_AT_EACH_END)), (tail, end)):
         start = data.find(_MARK, first, last)

@@ -72,7 +72,7 @@ def open_for_reading(path: Path) -> tuple[h5py.File, bool]:
     with guarded(path):
         if broken_heap(path) is not None:
             raise Damaged("the texts in the file are damaged, it cannot be read")
-        file = h5py.File(path, "r", locking=False if writing else "best-effort")
+        file = _opened(path)
     try:
         with guarded(path):
             _check_format(file)
@@ -80,6 +80,13 @@ def open_for_reading(path: Path) -> tuple[h5py.File, bool]:
         file.close()
         raise
     return file, writing
+
+
+def _opened(path: Path) -> h5py.File:
+    try:
+        return h5py.File(path, "r", locking="best-effort")
+    except BlockingIOError:
+        return h5py.File(path, "r", locking=False)
 
 
 def text_attribute(file: h5py.File, name: str) -> str:

@@ -21,7 +21,8 @@ class NoRoom(OSError):
 
 @contextlib.contextmanager
 def room_for(file: Any, more_bytes: int) -> Iterator[None]:
-    """The system sets aside `more_bytes` beyond the end of an open HDF5 file; what is left over is given back.
+    """The system sets aside `more_bytes` beyond the end of an open HDF5 file; what is left over is given
+    back.
 
     The block must end with a flush. Raises NoRoom (disk full, quota, size limit) before the block is entered.
     """

@@ -24,7 +24,7 @@ from physsim.recording.create import axis_dataset, block_frames, create_file
 from physsim.recording.layout import Column, Status
 from physsim.recording.safe import guarded
 from physsim.recording.space import RESERVE_BYTES, NoRoom, close_in_place, close_without_writing, room_for
-from physsim.recording.target import Target, plain
+from physsim.recording.target import Target, is_being_written, plain
 
 # A checkpoint, with the frames in hand, after this many seconds, so that a kill costs little work ...
 SECONDS_BETWEEN_CHECKPOINTS = 5.0
@@ -83,6 +83,8 @@ class Recorder:
 
         Raises FileTrouble when it cannot be opened for writing, or another process writes to it.
         """
+        if is_being_written(path):
+            raise FileTrouble(f"{path}: another run is writing to it")
         try:
             file = h5py.File(path, "r+", libver=("earliest", "v110"), locking="best-effort")
         except (OSError, RuntimeError) as error:

@@ -99,4 +99,6 @@ def record(path: Path, frames: int = 40, bodies: int = 3, first: int = 0, blocks
         feed(recorder, number, bodies)
         if number % blocks == 0:
             recorder.write_block()
-    return recorder.finish("complete", "", b"engine", frames * STEPS_PER_FRAME, {"provenance/finished": "now"})
+    return recorder.finish(
+        "complete", "", b"engine", frames * STEPS_PER_FRAME, {"provenance/finished": "now"}
+    )
