@@ -22,6 +22,9 @@ FARTHEST = 1e6
 """Pairs whose origins are farther apart than this many of their own radii are not looked at: no margin of
 use spans that, and the numbers would not fit FCL."""
 
+BEYOND = 1e15
+"""Coordinates that are not looked at [m]: doubles are a tenth of a metre apart there."""
+
 _BOTH_SIDES = ((0, 1, 2), (0, 2, 1))
 """A triangle as a flat convex body: FCL's own triangles have no distance to other shapes."""
 
@@ -150,7 +153,7 @@ def _place(pose: list[float]) -> Place | None:
     """The place of a pose (x y z, w x y z), None where the pose is not usable."""
     position, (w, x, y, z) = pose[:3], pose[3:]
     norm = sqrt(w * w + x * x + y * y + z * z)
-    if not (isfinite(sum(position)) and 1e-100 < norm < 1e100):
+    if not (all(abs(x) < BEYOND for x in position) and 1e-100 < norm < 1e100):
         return None
     w, x, y, z = w / norm, x / norm, y / norm, z / norm
     rotation = (

@@ -84,7 +84,7 @@ def against_halfspace(pair: Pair, margin: float) -> Contact | None:
     own size.
     """
     n = pair.orientation_b.axes()[2]
-    gap = pair.low_a(*n)
+    gap = float(pair.low_a(*n))
     if gap > margin:
         return None
     shift = -gap - pair.size
