@@ -2,7 +2,7 @@
 
 use super::closest::{closest, on_segment};
 use super::polytope::Polytope;
-use super::{reduce, sat, ContactPoint, Posed, Scratch, Sink};
+use super::{reduce, sat, Posed, Scratch, Sink};
 use crate::shape::Shape;
 use glam::DVec3;
 
@@ -42,7 +42,7 @@ impl Core {
 
 /// Capsule or rod against capsule or rod: the nearest points of both segments; nearly parallel ones also touch
 /// at both ends of the part that they share.
-pub(crate) fn against_capsule(a: &Posed, b: &Posed, kept: &mut Vec<ContactPoint>, sink: &mut Sink) {
+pub(crate) fn against_capsule(a: &Posed, b: &Posed, kept: &mut Vec<reduce::Kept>, sink: &mut Sink) {
     let (a, b) = (Core::of(a), Core::of(b));
     let (da, db) = (a.along(), b.along());
     let cross = da.cross(db);

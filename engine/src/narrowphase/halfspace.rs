@@ -13,7 +13,7 @@ pub(crate) fn collide(a: &Posed, plane: &Pose, scratch: &mut Scratch, sink: &mut
         let gap = normal.dot(*p - plane.position);
         sink.push(*p - 0.5 * gap * normal, normal, -gap);
     }
-    reduce::spread(sink.out, start, 8, 0.0, &mut scratch.points);
+    reduce::spread(sink.out, start, 8, 0.0, &mut scratch.kept);
 }
 
 /// All vertices for a hull (a coin-shaped facet polygon may bend by more than the margin), the facing feature otherwise.

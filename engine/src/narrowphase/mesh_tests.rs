@@ -64,6 +64,26 @@ fn movers() -> Vec<(Shape, f64)> {
             0.1,
         ),
         (prism(6, 0.3, 0.15), 0.15),
+        (
+            Shape::Cylinder {
+                radius: 0.2,
+                half_height: 0.25,
+            },
+            0.25,
+        ),
+        (
+            Shape::Cone {
+                radius: 0.25,
+                height: 0.4,
+            },
+            0.1,
+        ),
+        (
+            Shape::Ellipsoid {
+                radii: DVec3::new(0.3, 0.2, 0.15),
+            },
+            0.15,
+        ),
         (Shape::Rod { half_length: 0.3 }, 0.3),
     ]
 }

@@ -9,7 +9,9 @@ mod capsule;
 mod clip;
 mod closest;
 mod features;
+mod gjk;
 mod halfspace;
+mod polish;
 mod polytope;
 mod reduce;
 mod sat;
@@ -19,6 +21,11 @@ mod triangle_mesh;
 use crate::shape::{Pose, Shape};
 use glam::DVec3;
 use triangle_mesh::PosedMesh;
+
+/// Share of the smaller shape by which a depth may be off.
+const ROUNDING: f64 = 1e-9;
+/// Points nearer to each other than this share of the smaller shape are one.
+const RESOLUTION: f64 = 1e-6;
 
 /// One point of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,13 +55,15 @@ pub struct Scratch {
     polytope_a: polytope::Polytope,
     polytope_b: polytope::Polytope,
     clip: clip::Buffers,
+    polish: polish::Buffers,
     triangles: Vec<u32>,
     ways: Vec<triangle_mesh::Way>,
+    kept: Vec<reduce::Kept>,
     points: Vec<ContactPoint>,
 }
 
 /// A shape at its place.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Posed<'a> {
     pub shape: &'a Shape,
     pub pose: Pose,
@@ -116,7 +125,8 @@ pub fn collide(
 }
 
 /// Appends the manifold for a normal (unit, from B to A, roughly right) that somebody else, FCL, found, and a point
-/// near the contact: refines the normal, then lays the features that it selects over one another.
+/// near the contact: refines the normal, then lays the features that it selects over one another. For half-spaces and
+/// whole meshes, which need no such help, the same as `collide`.
 #[allow(clippy::too_many_arguments)] // two posed shapes, the answer about them, and where to put the result
 pub fn manifold(
     a: &Shape,
@@ -129,7 +139,14 @@ pub fn manifold(
     scratch: &mut Scratch,
     out: &mut Vec<ContactPoint>,
 ) {
-    let sign = if rank(a) > rank(b) { -1.0 } else { 1.0 };
+    let swapped = rank(a) > rank(b);
+    let normal = if swapped { -normal } else { normal };
+    let witness = witness
+        - if swapped {
+            pose_b.position
+        } else {
+            pose_a.position
+        };
     let a = Posed {
         shape: a,
         pose: *pose_a,
@@ -141,12 +158,10 @@ pub fn manifold(
     in_order(a, b, out, |a, b, out| {
         let sink = &mut Sink { margin, out };
         match b.shape {
-            Shape::HalfSpace => halfspace::collide(a, &b.pose, scratch, sink),
-            Shape::Mesh(_) => {}
-            _ => along(a, b, sign * normal, scratch, sink),
+            Shape::HalfSpace | Shape::Mesh(_) => kernel(a, b, scratch, sink),
+            _ => refined(a, b, normal, witness, scratch, sink),
         }
     });
-    let _ = witness;
 }
 
 /// Whether `collide` answers this pair of shapes itself.
@@ -160,6 +175,7 @@ pub fn has_kernel(a: &Shape, b: &Shape) -> bool {
         (Capsule { .. } | Rod { .. } | Box { .. } | Hull(_) | Triangle(_), _) => {
             matches!(high, Box { .. } | Hull(_) | Triangle(_) | Mesh(_))
         }
+        (_, Mesh(_)) => true,
         _ => false,
     }
 }
@@ -215,7 +231,7 @@ fn kernel(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
         }
         (Sphere { radius }, _) => sphere::collide(*radius, &a.pose, b, sink),
         (Capsule { .. } | Rod { .. }, Capsule { .. } | Rod { .. }) => {
-            capsule::against_capsule(a, b, &mut scratch.points, sink)
+            capsule::against_capsule(a, b, &mut scratch.kept, sink)
         }
         (Capsule { .. } | Rod { .. }, _) => capsule::against_polytope(a, b, scratch, sink),
         (Box { half: half_a }, Box { half: half_b }) => {
@@ -250,6 +266,37 @@ fn along(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut 
     }
 }
 
+/// The contact along the best normal near the given one. Its deepest point states the separation along the normal:
+/// where the features miss it (a round rim that stands for a polygon), it is added.
+fn refined(
+    a: &Posed,
+    b: &Posed,
+    normal: DVec3,
+    witness: DVec3,
+    scratch: &mut Scratch,
+    sink: &mut Sink,
+) {
+    let Some(best) = polish::polish(a, b, normal, &mut scratch.polish) else {
+        return;
+    };
+    if best.separation >= sink.margin {
+        return;
+    }
+    let start = sink.out.len();
+    let scale = a.shape.bounding_radius().min(b.shape.bounding_radius());
+    overlay(a, b, best.normal, scratch, sink);
+    if sink.out[start..]
+        .iter()
+        .all(|p| p.depth < -best.separation - ROUNDING * scale)
+    {
+        let n = best.normal;
+        let middle = 0.5 * n.dot(a.support(-n) + b.support(n));
+        let witness = best.witness.unwrap_or(witness);
+        sink.push(witness + (middle - n.dot(witness)) * n, n, -best.separation);
+    }
+    reduce::spread(sink.out, start, 8, RESOLUTION * scale, &mut scratch.kept);
+}
+
 /// Lays the features that face each other along a normal over one another: at most 8 points. False when that
 /// gives no point.
 fn overlay(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut Sink) -> bool {
@@ -263,7 +310,7 @@ fn overlay(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mu
         &mut scratch.clip,
         sink,
     );
-    reduce::spread(sink.out, start, 8, 0.0, &mut scratch.points);
+    reduce::spread(sink.out, start, 8, 0.0, &mut scratch.kept);
     sink.out.len() > start
 }
 
@@ -276,6 +323,8 @@ fn overlapping_supports(a: &Posed, b: &Posed, normal: DVec3, sink: &mut Sink) {
     }
 }
 
+#[cfg(test)]
+mod manifold_tests;
 #[cfg(test)]
 mod mesh_tests;
 #[cfg(test)]

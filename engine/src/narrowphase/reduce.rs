@@ -10,16 +10,15 @@ pub(crate) fn spread(
     start: usize,
     limit: usize,
     resolution: f64,
-    kept: &mut Vec<ContactPoint>,
+    kept: &mut Vec<Kept>,
 ) {
     let count = points.len().saturating_sub(start);
     if count <= 1 || (count <= limit && resolution == 0.0) {
         return;
     }
     kept.clear();
-    farthest_first(&points[start..], limit, resolution, kept);
-    points.truncate(start);
-    points.extend_from_slice(kept);
+    farthest_first(&points[start..], start, limit, resolution, kept);
+    replace(points, start, kept);
 }
 
 /// Normals nearer than this (cosine; 8 degrees) carry the load together.
@@ -32,12 +31,12 @@ pub(crate) fn by_normal(
     start: usize,
     limit: usize,
     resolution: f64,
-    kept: &mut Vec<ContactPoint>,
+    kept: &mut Vec<Kept>,
 ) {
     kept.clear();
     let mut rest = start;
     while rest < points.len() && kept.len() < limit {
-        let Some(leader) = deepest(&points[rest..]) else {
+        let Some(leader) = deepest(&points[rest..]).map(|(_, leader)| leader) else {
             break;
         };
         points[rest..].sort_by_key(|p| p.normal.dot(leader.normal) <= SAME_NORMAL);
@@ -46,27 +45,46 @@ pub(crate) fn by_normal(
             .max(1);
         farthest_first(
             &points[rest..rest + group],
+            rest,
             (limit - kept.len()).min(8),
             resolution,
             kept,
         );
         rest += group;
     }
-    points.truncate(start);
-    points.extend_from_slice(kept);
+    replace(points, start, kept);
 }
 
-/// Appends to `kept`; stops early when every point lies within `resolution` [m] of a kept one.
-pub(crate) fn farthest_first(
+/// A chosen point and its place in the list.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kept {
+    index: usize,
+    point: ContactPoint,
+}
+
+/// Puts the chosen points, in their old order, into the place of all from `start` on.
+fn replace(points: &mut Vec<ContactPoint>, start: usize, kept: &mut [Kept]) {
+    kept.sort_unstable_by_key(|k| k.index);
+    points.truncate(start);
+    points.extend(kept.iter().map(|k| k.point));
+}
+
+/// Appends the choice to `kept`, numbered from `first` on; stops early when every point lies within `resolution` [m] of
+/// a kept one.
+fn farthest_first(
     points: &[ContactPoint],
+    first: usize,
     limit: usize,
     resolution: f64,
-    kept: &mut Vec<ContactPoint>,
+    kept: &mut Vec<Kept>,
 ) {
     let start = kept.len();
     let mut next = deepest(points);
-    while let Some(point) = next {
-        kept.push(point);
+    while let Some((index, point)) = next {
+        kept.push(Kept {
+            index: first + index,
+            point,
+        });
         if kept.len() - start >= limit {
             return;
         }
@@ -74,28 +92,29 @@ pub(crate) fn farthest_first(
     }
 }
 
-fn deepest(points: &[ContactPoint]) -> Option<ContactPoint> {
+fn deepest(points: &[ContactPoint]) -> Option<(usize, ContactPoint)> {
     points
         .iter()
         .copied()
-        .reduce(|best, p| if p.depth > best.depth { p } else { best })
+        .enumerate()
+        .reduce(|best, p| if p.1.depth > best.1.depth { p } else { best })
 }
 
 fn farthest(
     points: &[ContactPoint],
-    kept: &[ContactPoint],
+    kept: &[Kept],
     resolution: f64,
-) -> Option<ContactPoint> {
+) -> Option<(usize, ContactPoint)> {
     let mut best = None;
     let mut best_distance = resolution * resolution;
-    for p in points {
-        let distance = kept
+    for (index, p) in points.iter().enumerate() {
+        let squares = kept
             .iter()
-            .map(|k| k.position.distance_squared(p.position))
-            .fold(f64::INFINITY, f64::min);
+            .map(|k| k.point.position.distance_squared(p.position));
+        let distance = squares.fold(f64::INFINITY, f64::min);
         if distance > best_distance {
             best_distance = distance;
-            best = Some(*p);
+            best = Some((index, *p));
         }
     }
     best

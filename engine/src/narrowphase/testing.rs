@@ -160,11 +160,12 @@ pub fn largest_separation(a: &Posed, b: &Posed) -> f64 {
     starts
         .iter()
         .take(4)
-        .map(|(_, n)| refined(a, b, *n))
+        .map(|(_, n)| refined_near(a, b, *n))
         .fold(f64::NEG_INFINITY, f64::max)
 }
 
-fn refined(a: &Posed, b: &Posed, mut normal: DVec3) -> f64 {
+/// Largest separation that a pattern search finds from a direction.
+pub fn refined_near(a: &Posed, b: &Posed, mut normal: DVec3) -> f64 {
     let mut best = separation(a, b, normal);
     let mut step = 0.05;
     while step > 1e-7 {

@@ -8,7 +8,9 @@
 //! Depth is measured over the triangle that the shape passes through: a tip that slants under a neighbouring triangle
 //! counts as deep as it is at the common edge.
 
-use super::{capsule, closest, overlay, reduce, sat, ContactPoint, Posed, Scratch, Sink};
+use super::{
+    capsule, closest, gjk, overlay, polish, reduce, sat, ContactPoint, Posed, Scratch, Sink,
+};
 use crate::shape::{Pose, Shape, TriangleFeature, TriangleMesh};
 use glam::DVec3;
 
@@ -64,7 +66,7 @@ pub(crate) struct Way {
     depth: f64,
 }
 
-/// All triangles near a sphere, capsule, rod, box or hull.
+/// All triangles near a convex shape.
 pub(crate) fn collide(a: &Posed, b: &PosedMesh, scratch: &mut Scratch, sink: &mut Sink) {
     let mut near = std::mem::take(&mut scratch.triangles);
     let mut ways = std::mem::take(&mut scratch.ways);
@@ -84,7 +86,7 @@ pub(crate) fn collide(a: &Posed, b: &PosedMesh, scratch: &mut Scratch, sink: &mu
     }
     scratch.triangles = near;
     scratch.ways = ways;
-    reduce_points(a, sink.out, start, &mut scratch.points);
+    reduce_points(a, sink.out, start, &mut scratch.kept);
 }
 
 impl Way {
@@ -149,7 +151,7 @@ pub(crate) fn reduce_points(
     a: &Posed,
     points: &mut Vec<ContactPoint>,
     start: usize,
-    kept: &mut Vec<ContactPoint>,
+    kept: &mut Vec<reduce::Kept>,
 ) {
     let resolution = RESOLUTION * a.shape.bounding_radius();
     reduce::by_normal(points, start, LIMIT, resolution, kept);
@@ -207,7 +209,7 @@ fn direction(
         Shape::Capsule { .. } | Shape::Rod { .. } => {
             capsule::approach(a, &piece, scratch, margin, allowed).map(|found| found.normal)
         }
-        _ => {
+        Shape::Box { .. } | Shape::Hull(_) | Shape::Triangle(_) => {
             let Scratch {
                 polytope_a,
                 polytope_b,
@@ -216,7 +218,45 @@ fn direction(
             polytope_a.load(a);
             sat::separating_axis(polytope_a, polytope_b, margin, allowed).map(|axis| axis.normal)
         }
+        _ => curved(a, &piece, scratch, margin, allowed),
     }
+}
+
+/// For curved shapes: the nearest points while apart, else the best of the ways out that start at the triangle's normal
+/// and across its edges.
+fn curved(
+    a: &Posed,
+    piece: &Posed,
+    scratch: &mut Scratch,
+    margin: f64,
+    allowed: impl Fn(DVec3) -> bool,
+) -> Option<DVec3> {
+    let scale = a.shape.bounding_radius();
+    let toward = a.pose.position - piece.support(DVec3::ZERO);
+    if let Some(found) = gjk::nearest(a, piece, DVec3::ZERO, toward) {
+        let distance = found.p.distance(found.q);
+        if distance >= margin {
+            return None;
+        }
+        if distance > SUPPORT_TOLERANCE * scale {
+            return Some((found.p - found.q) / distance);
+        }
+    }
+    let Scratch {
+        polytope_b, polish, ..
+    } = scratch;
+    let starts = polytope_b
+        .planes
+        .iter()
+        .map(|plane| plane.normal)
+        .filter(|n| allowed(*n));
+    let ways = starts.map(|start| match polish::polish(a, piece, start, polish) {
+        Some(way) if allowed(way.normal) => (way.separation, way.normal),
+        _ => (polish::separation(a, piece, start), start),
+    });
+    let best = ways.reduce(|best, way| if way.0 > best.0 { way } else { best });
+    best.filter(|(separation, _)| *separation < margin)
+        .map(|(_, normal)| normal)
 }
 
 /// Part of a triangle that is farthest along a normal.
