@@ -116,7 +116,7 @@ def _decompose(vertices: FloatArray, triangles: IntArray) -> list[FloatArray]:
 def _load(path: Path) -> list[FloatArray] | None:
     """The pieces in a file, or None when there is none or it is damaged."""
     try:
-        with np.load(path, allow_pickle=False) as kept:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as kept:
             return [
                 np.asarray(kept[f"piece{i}"], dtype=np.float64).reshape(-1, 3) for i in range(len(kept.files))
             ]
