@@ -14,21 +14,20 @@ exec "{python}" {arguments} "$@"
 """
 
 
-@pytest.fixture(scope="module")
-def desk(tmp_path_factory: pytest.TempPathFactory) -> Path:
+@pytest.fixture
+def desk(tmp_path: Path) -> Path:
     """The folder; what one block of a page writes is there for the next."""
-    folder = tmp_path_factory.mktemp("desk")
-    (folder / "scenes").symlink_to(REPOSITORY / "scenes")
-    programs = folder / ".venv" / "bin"
+    (tmp_path / "scenes").symlink_to(REPOSITORY / "scenes")
+    programs = tmp_path / ".venv" / "bin"
     programs.mkdir(parents=True)
     for name, arguments in (("physsim", "-m physsim"), ("python", ""), ("python3", "")):
         shim = programs / name
         shim.write_text(SHIM.format(python=sys.executable, arguments=arguments))
         shim.chmod(0o755)
-    return folder
+    return tmp_path
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def environment(desk: Path) -> dict[str, str]:
     """The environment of a reader who has activated the virtual environment."""
     kept = {
