@@ -164,10 +164,6 @@ class Recorder:
             self._publish(self._waiting)
         return self.path
 
-    def abandon(self) -> None:
-        """Closes without the frames in hand, after a failure that is not the file's."""
-        close_without_writing(self._file)
-
     def _keep(self, path: str, rows: Any) -> None:
         kept = np.array(rows)
         self._pending.setdefault(path, []).append(kept)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from physsim.recording import Recorder
 from physsim.recording.layout import Status
-from physsim.simulation.measure import Measure
+from physsim.simulation.measure import Measure, Rows
 from physsim.simulation.progress import Progress, Throttle
 from physsim.simulation.stop import StopRequest
 from physsim.simulation.world import Simulated
@@ -84,16 +84,14 @@ class Loop:
 
     def run(self, stop: StopRequest) -> Ending:
         """Steps and records until the end, rest, or a signal. What the engine raises passes through."""
-        if self.step == 0:
+        if self._recorder.frames == 0:
             self._begin()
         while self.step < self._schedule.steps:
+            if stop.signal is not None:
+                return self._ended("interrupted", f"stopped by {stop.signal.name} at {self.time:g} s")
             if self._at_rest():
                 return self._ended("complete", f"at rest at {self.time:g} s")
             self._advance_to_frame(stop)
-            if stop.signal is not None:
-                return self._ended("interrupted", f"stopped by {stop.signal.name} at {self.time:g} s")
-            self._record()
-            self._save_when_due()
         return self._ended("complete", f"ran to its end at {self.time:g} s")
 
     def checkpoint(self) -> bytes:
@@ -115,8 +113,9 @@ class Loop:
         )
 
     def _advance_to_frame(self, stop: StopRequest) -> None:
-        """To the next frame in calls of about `SECONDS_PER_CALL`; the steps are the same however they are
-        cut.
+        """To the next frame, which is recorded, or to where a signal stops it.
+
+        In calls of about `SECONDS_PER_CALL`; the steps are the same however they are cut.
         """
         goal = self._schedule.next_frame(self.step)
         while self.step < goal and stop.signal is None:
@@ -125,6 +124,9 @@ class Loop:
                 self._world.advance(count, self._answer)
             self.step += count
             self._report(lambda: self._progress("running"))
+        if self.step == goal:
+            self._record()
+            self._save_when_due()
 
     def _record(self) -> None:
         self._collect_events()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,7 +22,7 @@ from physsim.simulation.world import Simulated, build
 
 if TYPE_CHECKING:
     from physsim.model import Model
-    from physsim.recording.layout import Column
+    from physsim.recording.layout import Column, Status
     from physsim.scene import Scene
 
 Warn = Callable[[Problem], None]
@@ -224,8 +224,10 @@ def _ending(loop: Loop, stop: StopRequest, recorder: Recorder, model: Model) -> 
         return Ending("failed", str(error))
     except FileTrouble:
         raise
-    except BaseException:
-        recorder.abandon()
+    except BaseException as error:
+        status: Status = "interrupted" if isinstance(error, KeyboardInterrupt) else "failed"
+        with suppress(FileTrouble):
+            recorder.finish(status, f"{type(error).__name__} at {loop.time:g} s", None, loop.step, {})
         raise
 
 

@@ -122,10 +122,10 @@ sys.path.insert(0, {str(Path(made_up_run.__file__).parent)!r})
 from pathlib import Path
 import made_up_run
 from physsim.errors import FileTrouble
-recorder = made_up_run.start(Path(sys.argv[1]), 70)
+recorder = made_up_run.start(Path(sys.argv[1]), 5)
 try:
     for number in range(10**5):
-        made_up_run.feed(recorder, number, 70)
+        made_up_run.feed(recorder, number, 5)
         if number % 7 == 0:
             recorder.write_checkpoint(b"x" * 1000, number)
             print(recorder.frames, flush=True)
@@ -159,7 +159,7 @@ def check_full(path: Path, said: list[str]) -> None:
 def small_disk(tmp_path: Path) -> Iterator[Path]:
     folder = tmp_path / "disk"
     folder.mkdir()
-    mount = ["mount", "-t", "tmpfs", "-o", "size=8m", "tmpfs", str(folder)]
+    mount = ["mount", "-t", "tmpfs", "-o", "size=4m", "tmpfs", str(folder)]
     if subprocess.run(mount, capture_output=True, check=False).returncode:
         pytest.skip("a small disk can only be mounted by root")
     yield folder
@@ -177,21 +177,21 @@ def test_a_full_disk(small_disk: Path) -> None:
 
 def test_a_full_disk_can_be_resumed_once_there_is_room(small_disk: Path) -> None:
     ballast = small_disk / "ballast"
-    ballast.write_bytes(b"x" * (3 << 20))
+    ballast.write_bytes(b"x" * (1 << 20))
     path = small_disk / "run.h5"
     fill(path)
     ballast.unlink()
     with open_trajectory(path) as trajectory:
         frames = trajectory.frames
     recorder = Recorder.resume(path, Target(path), made_up_run.COLUMNS, frames, frames // 4)
-    made_up_run.feed(recorder, frames, 70)
+    made_up_run.feed(recorder, frames, 5)
     recorder.finish("complete", "", None, 0, {})
     with open_trajectory(path) as trajectory:
         assert (trajectory.frames, trajectory.status) == (frames + 1, "complete")
 
 
 def test_a_size_limit(tmp_path: Path) -> None:
-    limit = 6 << 20
+    limit = 4 << 20
     said = fill(tmp_path / "run.h5", lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
     assert "file too large; the frames written before are kept" in said[-1]
     check_full(tmp_path / "run.h5", said)
