@@ -1,6 +1,7 @@
 """The fenced blocks of README and docs, and how each kind is tried out.
 
-console   lines that begin with `$ ` are run in order; the last exits with `exit=N` of the fence, else with 0
+console   lines that begin with `$ ` are run in order; the last exits with `exit=N` of the fence, else with 0;
+          where other lines follow a command, they are exactly what it writes
 bash      syntax is checked: these are for a machine with a network, or for a whole checkout
 python    run
 yaml      a first line `# NAME.yaml` keeps the block under that name for the blocks below; any other block
@@ -32,9 +33,10 @@ class Block:
     line: int
 
     @property
-    def commands(self) -> list[str]:
-        """What a reader would type."""
-        return [line[2:] for line in self.text.splitlines() if line.startswith("$ ")]
+    def commands(self) -> list[tuple[str, str]]:
+        """What a reader would type, and what the page shows as its output ("" where it shows none)."""
+        parts = [part.partition("\n") for part in re.split(r"^\$ ", self.text, flags=re.MULTILINE)[1:]]
+        return [(command, shown.strip("\n")) for command, _, shown in parts]
 
     @property
     def exit_code(self) -> int:

@@ -40,12 +40,13 @@ def test_blocks_of_a_page(page: Path, desk: Path, environment: dict[str, str]) -
 
 def try_console(block: Block, where: str, desk: Path, environment: dict[str, str]) -> None:
     assert block.commands, f"{where}: no line begins with '$ '"
-    for number, command in enumerate(block.commands, start=1):
+    for number, (command, shown) in enumerate(block.commands, start=1):
         run(["bash", "-n", "-c", command], where, desk, environment)
         offline = without_installation(command)
         if offline is not None and "pytest" not in offline:
             expected = block.exit_code if number == len(block.commands) else 0
-            run(["bash", "-c", offline], f"{where}: {offline}", desk, environment, expected)
+            said = run(["bash", "-c", offline], f"{where}: {offline}", desk, environment, expected)
+            assert not shown or said.strip("\n") == shown, f"{where}: {offline}\n{said}"
 
 
 def try_yaml(block: Block, desk: Path) -> None:
@@ -60,15 +61,18 @@ def try_yaml(block: Block, desk: Path) -> None:
     load_scene(trial)
 
 
-def run(command: list[str], where: str, desk: Path, environment: dict[str, str], expected: int = 0) -> None:
+def run(command: list[str], where: str, desk: Path, environment: dict[str, str], expected: int = 0) -> str:
+    """What the command writes to either stream; fails when it does not exit as expected."""
     done = subprocess.run(
         command,
         cwd=desk,
         env=environment,
         stdin=subprocess.DEVNULL,
-        capture_output=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
         text=True,
         timeout=300,
         check=False,
     )
-    assert done.returncode == expected, f"{where}\nexit {done.returncode}\n{done.stdout}\n{done.stderr}"
+    assert done.returncode == expected, f"{where}\nexit {done.returncode}\n{done.stdout}"
+    return done.stdout
