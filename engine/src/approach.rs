@@ -41,7 +41,11 @@ pub struct StepStart<'a> {
 /// Gap up to which a point is a contact although nothing moves [m].
 #[must_use]
 pub fn near_margin(a: &Geom, b: &Geom) -> f64 {
-    NEAR * a.shape.bounding_radius().min(b.shape.bounding_radius()).min(1e3)
+    NEAR * a
+        .shape
+        .bounding_radius()
+        .min(b.shape.bounding_radius())
+        .min(1e3)
 }
 
 /// A pair on its way to touching.
@@ -87,7 +91,11 @@ impl Approach {
             let job = &jobs[points[0].job as usize];
             let earliest = start.earliest_touch(job, points, 0.0);
             if earliest > 0.0 && earliest.is_finite() {
-                self.pursuits.push(Pursuit { job: points[0].job, instant: earliest, state: Chase::Open });
+                self.pursuits.push(Pursuit {
+                    job: points[0].job,
+                    instant: earliest,
+                    state: Chase::Open,
+                });
             }
             let near = start.near(job);
             let kept = points.iter().filter(|f| f.point.depth > -near);
@@ -111,7 +119,11 @@ impl Approach {
         let hits = out.len();
         for _ in 0..ROUNDS {
             self.jobs.clear();
-            self.jobs.extend(self.pursuits.iter().map(|p| start.job_at(&jobs[p.job as usize], p.instant)));
+            self.jobs.extend(
+                self.pursuits
+                    .iter()
+                    .map(|p| start.job_at(&jobs[p.job as usize], p.instant)),
+            );
             detector.run(start.geoms, &self.jobs, start.settings.fcl_only, oracle)?;
             let mut open = false;
             out.truncate(hits);
@@ -149,7 +161,10 @@ impl Approach {
 
 impl StepStart<'_> {
     fn geoms(&self, job: &Job) -> (&Geom, &Geom) {
-        (&self.geoms[job.geoms.0 as usize], &self.geoms[job.geoms.1 as usize])
+        (
+            &self.geoms[job.geoms.0 as usize],
+            &self.geoms[job.geoms.1 as usize],
+        )
     }
 
     fn near(&self, job: &Job) -> f64 {
@@ -173,7 +188,10 @@ impl StepStart<'_> {
 
     fn job_at(&self, job: &Job, t: f64) -> Job {
         let (a, b) = self.geoms(job);
-        let poses = (a.pose(&self.pose_at(a.body, t)), b.pose(&self.pose_at(b.body, t)));
+        let poses = (
+            a.pose(&self.pose_at(a.body, t)),
+            b.pose(&self.pose_at(b.body, t)),
+        );
         Job { poses, ..*job }
     }
 
@@ -181,11 +199,22 @@ impl StepStart<'_> {
     /// the paths to the start of the step.
     fn contact(&self, job: &Job, found: &Found, t: f64) -> Contact {
         let (a, b) = self.geoms(job);
-        let centres = (self.pose_at(a.body, t).position, self.pose_at(b.body, t).position);
+        let centres = (
+            self.pose_at(a.body, t).position,
+            self.pose_at(b.body, t).position,
+        );
         let coefficients = self.pairs.get(a.material, b.material);
-        let mut c = Contact::new(job.geoms, (a, b), self.bodies, centres, coefficients, &found.point);
+        let mut c = Contact::new(
+            job.geoms,
+            (a, b),
+            self.bodies,
+            centres,
+            coefficients,
+            &found.point,
+        );
         if t > 0.0 {
-            let fall = normal_acceleration(&c, self.accelerations) * (0.5 * t * (t + self.settings.timestep));
+            let fall = normal_acceleration(&c, self.accelerations)
+                * (0.5 * t * (t + self.settings.timestep));
             c.gap -= c.velocity_before.dot(c.normal) * t + fall;
             c.instant = t;
         }
@@ -207,7 +236,10 @@ impl StepStart<'_> {
             return;
         }
         let next = self.earliest_touch(job, points, pursuit.instant);
-        let deepest = points.iter().map(|f| f.point.depth).fold(f64::NEG_INFINITY, f64::max);
+        let deepest = points
+            .iter()
+            .map(|f| f.point.depth)
+            .fold(f64::NEG_INFINITY, f64::max);
         let closed = deepest.abs() <= TOUCHING * self.near(job);
         if closed || (next - pursuit.instant).abs() <= 1e-9 * self.settings.timestep {
             pursuit.state = Chase::Touching;

@@ -96,17 +96,29 @@ impl Detector {
         self.queries.clear();
         self.asked_for.clear();
         for (index, job) in (0u32..).zip(jobs) {
-            let shapes = (&geoms[job.geoms.0 as usize].shape, &geoms[job.geoms.1 as usize].shape);
+            let shapes = (
+                &geoms[job.geoms.0 as usize].shape,
+                &geoms[job.geoms.1 as usize].shape,
+            );
             self.points.clear();
             let verdict = if fcl_only {
                 Verdict::AskFcl
             } else {
                 let (a, b) = (&job.poses.0, &job.poses.1);
-                narrowphase::collide(shapes.0, a, shapes.1, b, job.margin, &mut self.scratch, &mut self.points)
+                narrowphase::collide(
+                    shapes.0,
+                    a,
+                    shapes.1,
+                    b,
+                    job.margin,
+                    &mut self.scratch,
+                    &mut self.points,
+                )
             };
             match verdict {
                 Verdict::Answered => {
-                    self.found.extend(self.points.iter().map(|&point| Found { job: index, point }));
+                    self.found
+                        .extend(self.points.iter().map(|&point| Found { job: index, point }));
                 }
                 Verdict::AskFcl => self.enqueue(index, job, shapes),
             }
@@ -131,18 +143,30 @@ impl Detector {
         match shapes {
             (Shape::Mesh(mesh), other) => {
                 let relative = job.poses.0.relative(&job.poses.1);
-                mesh.overlapping(&other.aabb(&relative).expanded(job.margin), &mut self.triangles);
+                mesh.overlapping(
+                    &other.aabb(&relative).expanded(job.margin),
+                    &mut self.triangles,
+                );
                 for &t in &self.triangles {
                     self.asked_for.push(index);
-                    self.queries.push(Query { triangles: (t as i32, -1), ..query });
+                    self.queries.push(Query {
+                        triangles: (t as i32, -1),
+                        ..query
+                    });
                 }
             }
             (other, Shape::Mesh(mesh)) => {
                 let relative = job.poses.1.relative(&job.poses.0);
-                mesh.overlapping(&other.aabb(&relative).expanded(job.margin), &mut self.triangles);
+                mesh.overlapping(
+                    &other.aabb(&relative).expanded(job.margin),
+                    &mut self.triangles,
+                );
                 for &t in &self.triangles {
                     self.asked_for.push(index);
-                    self.queries.push(Query { triangles: (-1, t as i32), ..query });
+                    self.queries.push(Query {
+                        triangles: (-1, t as i32),
+                        ..query
+                    });
                 }
             }
             _ => {
@@ -174,7 +198,8 @@ impl Detector {
                 &mut self.scratch,
                 &mut self.points,
             );
-            self.found.extend(self.points.iter().map(|&point| Found { job, point }));
+            self.found
+                .extend(self.points.iter().map(|&point| Found { job, point }));
         }
         Ok(())
     }

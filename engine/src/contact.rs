@@ -4,7 +4,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
-use crate::math::tangents;
+use crate::math::{length, tangents};
 use crate::model::{Coefficients, Geom};
 use crate::narrowphase::ContactPoint;
 
@@ -166,14 +166,17 @@ impl Contact {
     #[must_use]
     pub fn in_cone(&self, impulse: DVec3) -> DVec3 {
         let normal = impulse.x.max(0.0);
-        let (limit, length) = (self.friction_coefficient() * normal, impulse.y.hypot(impulse.z));
+        let (limit, length) = (
+            self.friction_coefficient() * normal,
+            length(impulse.y, impulse.z),
+        );
         let scale = if length > limit { limit / length } else { 1.0 };
         DVec3::new(normal, impulse.y * scale, impulse.z * scale)
     }
 
     /// Choose the friction of the next solve by the slip at its start.
     pub fn choose_friction(&mut self, velocity: DVec3, slip_speed: f64) {
-        let slip = velocity.y.hypot(velocity.z);
+        let slip = length(velocity.y, velocity.z);
         self.friction = if slip < slip_speed {
             Friction::Static
         } else {
@@ -245,7 +248,11 @@ impl Memory {
     pub fn recall(&mut self, contacts: &mut [Contact], bodies: &[Body], radius: &[f64]) {
         let mut from = 0;
         for contact in contacts.iter_mut() {
-            while self.points.get(from).is_some_and(|p| p.geoms < contact.geoms) {
+            while self
+                .points
+                .get(from)
+                .is_some_and(|p| p.geoms < contact.geoms)
+            {
                 from += 1;
             }
             let place = bodies[contact.bodies.0].rotation.transpose() * contact.arms.0;

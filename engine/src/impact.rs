@@ -24,7 +24,9 @@ use crate::body::Body;
 use crate::contact::Contact;
 use crate::solver::{Limits, Solver};
 
-/// Generations in one step at most; what approaches after that is stopped by the contact solve, without restitution.
+/// Generations in one step at most. What approaches after that is stopped by the contact solve, without restitution;
+/// so is everything that is driven into an approach from which it would not rebound: plastic impacts pass through a
+/// heap all at once, not in generations.
 const GENERATIONS: usize = 100;
 
 /// What impacts add to the motion of a body within the step.
@@ -108,9 +110,10 @@ impl Impacts {
         self.kinks.clear();
         self.kinks.resize(bodies.len(), Kink::default());
         self.work = (0.0, 0.0);
-        for _ in 0..GENERATIONS {
+        for generation in 0..GENERATIONS {
             self.find_hit(bodies, accelerations, contacts, rules);
-            if self.hit.is_empty() {
+            let rebounds = |&k: &usize| rebounds(&contacts[k], bodies, accelerations, rules);
+            if self.hit.is_empty() || (generation > 0 && !self.hit.iter().any(rebounds)) {
                 break;
             }
             self.reflect(bodies, accelerations, contacts, rules);
@@ -118,12 +121,22 @@ impl Impacts {
     }
 
     /// Of all contacts that will touch at speed, those that no other precedes on either of their bodies.
-    fn find_hit(&mut self, bodies: &[Body], accelerations: &[DVec3], contacts: &[Contact], rules: &Rules) {
+    fn find_hit(
+        &mut self,
+        bodies: &[Body],
+        accelerations: &[DVec3],
+        contacts: &[Contact],
+        rules: &Rules,
+    ) {
         self.hit.clear();
         self.instants.clear();
         let kinks = &self.kinks;
         let at = |c: &Contact| Kinks(kinks[c.bodies.0], kinks[c.bodies.1]);
-        self.instants.extend(contacts.iter().map(|c| at(c).touching(c, bodies, accelerations, rules)));
+        self.instants.extend(
+            contacts
+                .iter()
+                .map(|c| at(c).touching(c, bodies, accelerations, rules)),
+        );
         self.earliest.clear();
         self.earliest.resize(bodies.len(), f64::INFINITY);
         for (c, &instant) in contacts.iter().zip(&self.instants) {
@@ -142,7 +155,13 @@ impl Impacts {
     }
 
     /// Newton's rule for all contacts of this generation together.
-    fn reflect(&mut self, bodies: &mut [Body], accelerations: &[DVec3], contacts: &mut [Contact], rules: &Rules) {
+    fn reflect(
+        &mut self,
+        bodies: &mut [Body],
+        accelerations: &[DVec3],
+        contacts: &mut [Contact],
+        rules: &Rules,
+    ) {
         self.before.clear();
         self.gained.clear();
         let mut fastest = 0.0_f64;
@@ -157,10 +176,10 @@ impl Impacts {
             self.before.push(u + DVec3::X * gained);
             self.gained.push(gained);
         }
-        // Impacts are few, and what they do lasts: solved as far as rounding allows.
+        // Relative to the fastest: impacts are few, and what they do lasts.
         let limits = Limits {
-            iterations: 20 * rules.iterations,
-            tolerance: (1e-13 * fastest).min(rules.tolerance),
+            iterations: 2 * rules.iterations,
+            tolerance: (1e-10 * fastest).min(rules.tolerance),
         };
         self.solver.solve(bodies, contacts, &self.hit, limits);
         self.keep_energy(bodies, contacts, limits);
@@ -171,12 +190,18 @@ impl Impacts {
     /// beyond the plastic ones it is a quadratic in s, at most zero for s = 0; take the greatest s that keeps it so.
     fn keep_energy(&mut self, bodies: &[Body], contacts: &mut [Contact], limits: Limits) {
         let full = work_of(&self.hit, &self.before, &self.gained, bodies, contacts);
-        let scale: f64 = self.hit.iter().zip(&self.before).map(|(&k, u)| (contacts[k].impulse.x * u.x).abs()).sum();
+        let scale: f64 = self
+            .hit
+            .iter()
+            .zip(&self.before)
+            .map(|(&k, u)| (contacts[k].impulse.x * u.x).abs())
+            .sum();
         if full <= 1e-12 * scale {
             return;
         }
         self.elastic.clear();
-        self.elastic.extend(self.hit.iter().map(|&k| contacts[k].impulse));
+        self.elastic
+            .extend(self.hit.iter().map(|&k| contacts[k].impulse));
         for &k in &self.hit {
             contacts[k].target = contacts[k].target.min(0.0);
             contacts[k].impulse = DVec3::ZERO;
@@ -190,10 +215,17 @@ impl Impacts {
             work_of(&self.hit, &self.before, &self.gained, bodies, contacts)
         };
         let (none, half) = (blend(0.0), blend(0.5));
-        let (a, b) = (2.0 * (full - 2.0 * half + none), 4.0 * half - 3.0 * none - full);
+        let (a, b) = (
+            2.0 * (full - 2.0 * half + none),
+            4.0 * half - 3.0 * none - full,
+        );
         let root = (b * b - 4.0 * a * none).max(0.0).sqrt();
         // none <= 0 < full: exactly one root lies in [0, 1]; written so that nothing cancels.
-        let s = if b >= 0.0 { -2.0 * none / (b + root) } else { (root - b) / (2.0 * a) };
+        let s = if b >= 0.0 {
+            -2.0 * none / (b + root)
+        } else {
+            (root - b) / (2.0 * a)
+        };
         blend(s.clamp(0.0, 1.0));
     }
 
@@ -237,14 +269,23 @@ impl Impacts {
 }
 
 /// Sum over the hit contacts of J . (u + u') / 2 [J], u' = the velocities that the impulses would give.
-fn work_of(hit: &[usize], before: &[DVec3], gained: &[f64], bodies: &[Body], contacts: &[Contact]) -> f64 {
+fn work_of(
+    hit: &[usize],
+    before: &[DVec3],
+    gained: &[f64],
+    bodies: &[Body],
+    contacts: &[Contact],
+) -> f64 {
     // Velocity changes of the bodies, found on copies: generations are small.
     let mut touched: Vec<(usize, Body)> = Vec::new();
     let slot_of = |k: usize, touched: &mut Vec<(usize, Body)>| {
-        touched.iter().position(|(i, _)| *i == k).unwrap_or_else(|| {
-            touched.push((k, bodies[k].clone()));
-            touched.len() - 1
-        })
+        touched
+            .iter()
+            .position(|(i, _)| *i == k)
+            .unwrap_or_else(|| {
+                touched.push((k, bodies[k].clone()));
+                touched.len() - 1
+            })
     };
     for &k in hit {
         let c = &contacts[k];
@@ -257,7 +298,10 @@ fn work_of(hit: &[usize], before: &[DVec3], gained: &[f64], bodies: &[Body], con
     let mut sum = 0.0;
     for ((&k, u), gain) in hit.iter().zip(before).zip(gained) {
         let c = &contacts[k];
-        let (a, b) = (slot_of(c.bodies.0, &mut touched), slot_of(c.bodies.1, &mut touched));
+        let (a, b) = (
+            slot_of(c.bodies.0, &mut touched),
+            slot_of(c.bodies.1, &mut touched),
+        );
         let after = touched[a].1.velocity_at(c.arms.0) - touched[b].1.velocity_at(c.arms.1);
         sum += 0.5 * c.impulse.dot(*u + c.to_local(after) + DVec3::X * *gain);
     }
@@ -269,7 +313,13 @@ struct Kinks(Kink, Kink);
 
 impl Kinks {
     /// The instant at which the contact touches at speed, infinite where it does not within the step.
-    fn touching(&self, c: &Contact, bodies: &[Body], accelerations: &[DVec3], rules: &Rules) -> f64 {
+    fn touching(
+        &self,
+        c: &Contact,
+        bodies: &[Body],
+        accelerations: &[DVec3],
+        rules: &Rules,
+    ) -> f64 {
         let dt = rules.timestep;
         let speed = crate::contact::relative_velocity(bodies, c.bodies, c.arms).dot(c.normal);
         if speed >= -quiet_speed(c, accelerations, rules) {
@@ -279,7 +329,11 @@ impl Kinks {
         let earliest = self.0.instant.max(self.1.instant);
         let a = normal_acceleration(c, accelerations);
         let t = first_root(gap, speed + 0.5 * a * dt, 0.5 * a).max(earliest);
-        if t < dt { t } else { f64::INFINITY }
+        if t < dt {
+            t
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// What the kinks do to the gap of a contact [m].
@@ -293,7 +347,12 @@ impl Kinks {
 /// The instant within the step at which a contact will be hit if nothing else hits its bodies before, infinite where
 /// it will not [s].
 #[must_use]
-pub fn touching_instant(c: &Contact, bodies: &[Body], accelerations: &[DVec3], rules: &Rules) -> f64 {
+pub fn touching_instant(
+    c: &Contact,
+    bodies: &[Body],
+    accelerations: &[DVec3],
+    rules: &Rules,
+) -> f64 {
     Kinks(Kink::default(), Kink::default()).touching(c, bodies, accelerations, rules)
 }
 
@@ -313,13 +372,20 @@ pub fn normal_acceleration(c: &Contact, accelerations: &[DVec3]) -> f64 {
 /// contact solve takes it away [m/s].
 #[must_use]
 pub fn quiet_speed(c: &Contact, accelerations: &[DVec3], rules: &Rules) -> f64 {
-    (normal_acceleration(c, accelerations).abs() * rules.timestep).max(rules.tolerance).max(rules.bounce_speed)
+    (normal_acceleration(c, accelerations).abs() * rules.timestep)
+        .max(rules.tolerance)
+        .max(rules.bounce_speed)
 }
 
 /// From the velocity that semi-implicit Euler carries at the start of a step to the velocity at the instant t of the
 /// parabola through its positions: a (t + dt/2), along the normal [m/s].
 fn gained_speed(c: &Contact, accelerations: &[DVec3], instant: f64, timestep: f64) -> f64 {
     normal_acceleration(c, accelerations) * (instant + 0.5 * timestep)
+}
+
+/// The contact leaves again, faster than a resting contact may.
+fn rebounds(c: &Contact, bodies: &[Body], accelerations: &[DVec3], rules: &Rules) -> bool {
+    -c.coefficients.restitution * c.velocity(bodies).x > quiet_speed(c, accelerations, rules)
 }
 
 /// The normal velocity to leave with, -e times the one at touching, as the integrator carries it. A bounce so small

@@ -13,7 +13,20 @@ pub fn rotation_from_vector(v: DVec3) -> DQuat {
     } else {
         0.5 - angle * angle / 48.0
     };
-    DQuat::from_xyzw(v.x * scale, v.y * scale, v.z * scale, libm::cos(0.5 * angle)).normalize()
+    DQuat::from_xyzw(
+        v.x * scale,
+        v.y * scale,
+        v.z * scale,
+        libm::cos(0.5 * angle),
+    )
+    .normalize()
+}
+
+/// Length of (x, y). The library's `hypot` guards against overflow that cannot happen here, and its last bit depends
+/// on the platform.
+#[must_use]
+pub fn length(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// An orthonormal pair (t1, t2) with t1 x t2 = n, for a unit vector n.

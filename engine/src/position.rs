@@ -25,7 +25,13 @@ pub struct Correction {
 impl Correction {
     /// Move bodies apart. `gaps` are those at the end of the step, one a contact [m]. Returns false when there was
     /// nothing to do.
-    pub fn apply(&mut self, bodies: &mut [Body], contacts: &[Contact], gaps: &[f64], beta: f64) -> bool {
+    pub fn apply(
+        &mut self,
+        bodies: &mut [Body],
+        contacts: &[Contact],
+        gaps: &[f64],
+        beta: f64,
+    ) -> bool {
         if gaps.iter().all(|&g| g >= -SLOP) {
             return false;
         }
@@ -52,9 +58,15 @@ impl Correction {
     fn sweep(&mut self, bodies: &[Body], contacts: &[Contact], gaps: &[f64], beta: f64) -> f64 {
         let mut worst = 0.0_f64;
         for ((c, &gap), push) in contacts.iter().zip(gaps).zip(&mut self.pushes) {
-            let wanted = if gap < 0.0 { -beta * (gap + SLOP).min(0.0) } else { -gap };
+            let wanted = if gap < 0.0 {
+                -beta * (gap + SLOP).min(0.0)
+            } else {
+                -gap
+            };
             let (a, b) = c.bodies;
-            let made = self.shift[a] + self.turn[a].cross(c.arms.0) - self.shift[b] - self.turn[b].cross(c.arms.1);
+            let made = self.shift[a] + self.turn[a].cross(c.arms.0)
+                - self.shift[b]
+                - self.turn[b].cross(c.arms.1);
             let new = (*push + (wanted - made.dot(c.normal)) / c.k_normal).max(0.0);
             let p = c.normal * (new - *push);
             if *push == new {

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use glam::{DMat3, DQuat, DVec3};
-use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
+};
 use pyo3::create_exception;
 use pyo3::exceptions::{PyException, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -18,8 +20,18 @@ use crate::model::{Coefficients, Geom, Model, PairTable, Settings, Stabilization
 use crate::shape::{Hull, Pose, Shape, TriangleMesh};
 use crate::world::{Failure, World};
 
-create_exception!(_engine, Diverged, PyException, "A body's state blew up: (index of the body, time).");
-create_exception!(_engine, EngineError, PyRuntimeError, "The engine failed; a defect of physsim.");
+create_exception!(
+    _engine,
+    Diverged,
+    PyException,
+    "A body's state blew up: (index of the body, time)."
+);
+create_exception!(
+    _engine,
+    EngineError,
+    PyRuntimeError,
+    "The engine failed; a defect of physsim."
+);
 
 /// How often a long `advance` looks for signals.
 const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
@@ -29,7 +41,9 @@ struct Input<'py>(&'py Bound<'py, PyDict>);
 
 impl<'py> Input<'py> {
     fn item(&self, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        self.0.get_item(name)?.ok_or_else(|| PyValueError::new_err(format!("{name} is missing")))
+        self.0
+            .get_item(name)?
+            .ok_or_else(|| PyValueError::new_err(format!("{name} is missing")))
     }
 
     fn float(&self, name: &str) -> PyResult<f64> {
@@ -37,7 +51,9 @@ impl<'py> Input<'py> {
         if value.is_finite() {
             Ok(value)
         } else {
-            Err(PyValueError::new_err(format!("{name} must be finite, got {value}")))
+            Err(PyValueError::new_err(format!(
+                "{name} must be finite, got {value}"
+            )))
         }
     }
 
@@ -51,11 +67,19 @@ impl<'py> Input<'py> {
     }
 
     fn vectors(&self, name: &str) -> PyResult<Vec<DVec3>> {
-        Ok(self.floats(name, 3)?.chunks_exact(3).map(DVec3::from_slice).collect())
+        Ok(self
+            .floats(name, 3)?
+            .chunks_exact(3)
+            .map(DVec3::from_slice)
+            .collect())
     }
 
     fn rotations(&self, name: &str) -> PyResult<Vec<DQuat>> {
-        Ok(self.floats(name, 4)?.chunks_exact(4).map(quaternion).collect())
+        Ok(self
+            .floats(name, 4)?
+            .chunks_exact(4)
+            .map(quaternion)
+            .collect())
     }
 
     fn integers(&self, name: &str, width: usize) -> PyResult<Vec<i32>> {
@@ -86,14 +110,20 @@ fn integers(value: &Bound<'_, PyAny>, name: &str, width: usize) -> PyResult<Vec<
 fn check_width(name: &str, shape: &[usize], width: usize) -> PyResult<()> {
     let inner: usize = shape.iter().skip(1).product();
     if shape.is_empty() || inner != width {
-        return Err(PyValueError::new_err(format!("{name} has the wrong shape {shape:?}")));
+        return Err(PyValueError::new_err(format!(
+            "{name} has the wrong shape {shape:?}"
+        )));
     }
     Ok(())
 }
 
 fn quaternion(wxyz: &[f64]) -> DQuat {
     let q = DQuat::from_xyzw(wxyz[1], wxyz[2], wxyz[3], wxyz[0]);
-    if q.length_squared() > 0.0 { q.normalize() } else { DQuat::IDENTITY }
+    if q.length_squared() > 0.0 {
+        q.normalize()
+    } else {
+        DQuat::IDENTITY
+    }
 }
 
 fn wxyz(q: DQuat) -> [f64; 4] {
@@ -105,29 +135,45 @@ fn index(value: i32, length: usize, name: &str) -> PyResult<usize> {
     usize::try_from(value)
         .ok()
         .filter(|&k| k < length)
-        .ok_or_else(|| PyValueError::new_err(format!("{name} has the index {value}, allowed are 0 to {length} - 1")))
+        .ok_or_else(|| {
+            PyValueError::new_err(format!(
+                "{name} has the index {value}, allowed are 0 to {length} - 1"
+            ))
+        })
 }
 
 fn same_length<T>(name: &str, list: &[T], length: usize) -> PyResult<()> {
     if list.len() == length {
         return Ok(());
     }
-    Err(PyValueError::new_err(format!("{name} has {} entries, {length} expected", list.len())))
+    Err(PyValueError::new_err(format!(
+        "{name} has {} entries, {length} expected",
+        list.len()
+    )))
 }
 
 fn read_settings(input: &Input<'_>) -> PyResult<Settings> {
     let gravity = input.floats("gravity", 1)?;
     same_length("gravity", &gravity, 3)?;
-    for (name, known) in [("integrator", "semi_implicit_euler"), ("impacts", "stepped")] {
+    for (name, known) in [
+        ("integrator", "semi_implicit_euler"),
+        ("impacts", "stepped"),
+    ] {
         let given = input.text(name)?;
         if given != known {
-            return Err(PyValueError::new_err(format!("{name} {given} is not supported yet")));
+            return Err(PyValueError::new_err(format!(
+                "{name} {given} is not supported yet"
+            )));
         }
     }
     let stabilization = match input.text("stabilization")?.as_str() {
         "split_impulse" => Stabilization::SplitImpulse,
         "baumgarte" => Stabilization::Baumgarte,
-        other => return Err(PyValueError::new_err(format!("unknown stabilization {other}"))),
+        other => {
+            return Err(PyValueError::new_err(format!(
+                "unknown stabilization {other}"
+            )))
+        }
     };
     let fcl_only = match input.text("collision")?.as_str() {
         "auto" => false,
@@ -163,7 +209,11 @@ fn read_bodies(input: &Input<'_>) -> PyResult<Vec<(MassProperties, State, DVec3)
     same_length("mass", &mass, count)?;
     same_length("inertia", &inertia, 9 * count)?;
     same_length("orientation", &orientation, count)?;
-    for (name, list) in [("position", &position), ("velocity", &velocity), ("angular_velocity", &omega)] {
+    for (name, list) in [
+        ("position", &position),
+        ("velocity", &velocity),
+        ("angular_velocity", &omega),
+    ] {
         same_length(name, list, count)?;
     }
     (0..count)
@@ -174,15 +224,26 @@ fn read_bodies(input: &Input<'_>) -> PyResult<Vec<(MassProperties, State, DVec3)
                 // Symmetric: rows are columns.
                 MassProperties::new(mass[k], DMat3::from_cols_slice(&inertia[9 * k..9 * k + 9]))
             } else {
-                return Err(PyValueError::new_err(format!("mass of body {k} must be positive, got {}", mass[k])));
+                return Err(PyValueError::new_err(format!(
+                    "mass of body {k} must be positive, got {}",
+                    mass[k]
+                )));
             };
             let state = State {
                 position: position[k],
                 orientation: orientation[k],
-                velocity: if fixed[k] == 0 { velocity[k] } else { DVec3::ZERO },
+                velocity: if fixed[k] == 0 {
+                    velocity[k]
+                } else {
+                    DVec3::ZERO
+                },
                 angular_momentum: DVec3::ZERO,
             };
-            Ok((properties, state, if fixed[k] == 0 { omega[k] } else { DVec3::ZERO }))
+            Ok((
+                properties,
+                state,
+                if fixed[k] == 0 { omega[k] } else { DVec3::ZERO },
+            ))
         })
         .collect()
 }
@@ -195,10 +256,14 @@ fn read_hulls(input: &Input<'_>) -> PyResult<Vec<Arc<Hull>>> {
         .iter()
         .zip(faces.iter())
         .map(|(v, f)| {
-            let points: Vec<DVec3> =
-                floats(&v, "hull_vertices", 3)?.chunks_exact(3).map(DVec3::from_slice).collect();
+            let points: Vec<DVec3> = floats(&v, "hull_vertices", 3)?
+                .chunks_exact(3)
+                .map(DVec3::from_slice)
+                .collect();
             let polygons: Vec<Vec<u32>> = f.extract()?;
-            Hull::new(points, &polygons).map(Arc::new).map_err(PyValueError::new_err)
+            Hull::new(points, &polygons)
+                .map(Arc::new)
+                .map_err(PyValueError::new_err)
         })
         .collect()
 }
@@ -211,31 +276,54 @@ fn read_meshes(input: &Input<'_>) -> PyResult<Vec<Arc<TriangleMesh>>> {
         .iter()
         .zip(triangles.iter())
         .map(|(v, t)| {
-            let points: Vec<DVec3> =
-                floats(&v, "mesh_vertices", 3)?.chunks_exact(3).map(DVec3::from_slice).collect();
+            let points: Vec<DVec3> = floats(&v, "mesh_vertices", 3)?
+                .chunks_exact(3)
+                .map(DVec3::from_slice)
+                .collect();
             let corners = integers(&t, "mesh_triangles", 3)?
                 .chunks_exact(3)
                 .map(|c| {
-                    let at = |k: usize| index(c[k], points.len(), "mesh_triangles").map(|i| i as u32);
+                    let at =
+                        |k: usize| index(c[k], points.len(), "mesh_triangles").map(|i| i as u32);
                     Ok([at(0)?, at(1)?, at(2)?])
                 })
                 .collect::<PyResult<Vec<[u32; 3]>>>()?;
-            TriangleMesh::new(points, corners).map(Arc::new).map_err(PyValueError::new_err)
+            TriangleMesh::new(points, corners)
+                .map(Arc::new)
+                .map_err(PyValueError::new_err)
         })
         .collect()
 }
 
 /// Kind numbers of the border; a new shape adds a number here and a variant in `shape.rs`.
-fn read_shape(kind: i32, p: &[f64], hulls: &[Arc<Hull>], meshes: &[Arc<TriangleMesh>]) -> PyResult<Shape> {
+fn read_shape(
+    kind: i32,
+    p: &[f64],
+    hulls: &[Arc<Hull>],
+    meshes: &[Arc<TriangleMesh>],
+) -> PyResult<Shape> {
     #[allow(clippy::cast_possible_truncation)]
     let listed = p[0] as i32;
     Ok(match kind {
         0 => Shape::Sphere { radius: p[0] },
-        1 => Shape::Capsule { radius: p[0], half_height: p[1] },
-        2 => Shape::Box { half: DVec3::new(p[0], p[1], p[2]) },
-        3 => Shape::Cylinder { radius: p[0], half_height: p[1] },
-        4 => Shape::Cone { radius: p[0], height: p[1] },
-        5 => Shape::Ellipsoid { radii: DVec3::new(p[0], p[1], p[2]) },
+        1 => Shape::Capsule {
+            radius: p[0],
+            half_height: p[1],
+        },
+        2 => Shape::Box {
+            half: DVec3::new(p[0], p[1], p[2]),
+        },
+        3 => Shape::Cylinder {
+            radius: p[0],
+            half_height: p[1],
+        },
+        4 => Shape::Cone {
+            radius: p[0],
+            height: p[1],
+        },
+        5 => Shape::Ellipsoid {
+            radii: DVec3::new(p[0], p[1], p[2]),
+        },
         6 => Shape::Rod { half_length: p[0] },
         7 => Shape::Hull(hulls[index(listed, hulls.len(), "geom_parameters (hull)")?].clone()),
         8 => Shape::HalfSpace,
@@ -296,7 +384,12 @@ fn read_model(dictionary: &Bound<'_, PyDict>) -> PyResult<Model> {
     let no_contact = input
         .integers("no_contact", 2)?
         .chunks_exact(2)
-        .map(|p| Ok((index(p[0], bodies.len(), "no_contact")?, index(p[1], bodies.len(), "no_contact")?)))
+        .map(|p| {
+            Ok((
+                index(p[0], bodies.len(), "no_contact")?,
+                index(p[1], bodies.len(), "no_contact")?,
+            ))
+        })
         .collect::<PyResult<_>>()?;
     Ok(Model {
         settings: read_settings(&input)?,
@@ -313,7 +406,9 @@ struct Callback(Option<Py<PyAny>>, Option<PyErr>);
 impl Callback {
     fn call(&self, queries: &[Query], answers: &mut Vec<Option<Answer>>) -> PyResult<()> {
         let Some(function) = &self.0 else {
-            return Err(PyValueError::new_err("a pair of shapes needs FCL, but no FCL callback was given"));
+            return Err(PyValueError::new_err(
+                "a pair of shapes needs FCL, but no FCL callback was given",
+            ));
         };
         Python::attach(|py| {
             let ids = |pick: fn(&Query) -> i32| -> Vec<i32> { queries.iter().map(pick).collect() };
@@ -327,7 +422,11 @@ impl Callback {
                     ids(|q| q.triangles.1).into_pyarray(py),
                     poses(py, queries.iter().map(|q| &q.poses.0))?,
                     poses(py, queries.iter().map(|q| &q.poses.1))?,
-                    queries.iter().map(|q| q.margin).collect::<Vec<_>>().into_pyarray(py),
+                    queries
+                        .iter()
+                        .map(|q| q.margin)
+                        .collect::<Vec<_>>()
+                        .into_pyarray(py),
                 ),
             )?;
             read_answers(result.bind(py), queries.len(), answers)
@@ -362,14 +461,21 @@ fn read_answers(
     count: usize,
     answers: &mut Vec<Option<Answer>>,
 ) -> PyResult<()> {
-    let (found, normal, depth, position): (Bound<'_, PyAny>, Bound<'_, PyAny>, Bound<'_, PyAny>, Bound<'_, PyAny>) =
-        result.extract()?;
+    let (found, normal, depth, position): (
+        Bound<'_, PyAny>,
+        Bound<'_, PyAny>,
+        Bound<'_, PyAny>,
+        Bound<'_, PyAny>,
+    ) = result.extract()?;
     let found: Vec<bool> = {
         let array: PyReadonlyArrayDyn<'_, bool> = found.extract()?;
         array.as_array().iter().copied().collect()
     };
-    let (normal, depth, position) =
-        (floats(&normal, "normal", 3)?, floats(&depth, "depth", 1)?, floats(&position, "position", 3)?);
+    let (normal, depth, position) = (
+        floats(&normal, "normal", 3)?,
+        floats(&depth, "depth", 1)?,
+        floats(&position, "position", 3)?,
+    );
     same_length("found", &found, count)?;
     same_length("normal", &normal, 3 * count)?;
     same_length("depth", &depth, count)?;
@@ -424,7 +530,9 @@ impl PyWorld {
     #[new]
     fn new(model: &Bound<'_, PyDict>) -> PyResult<Self> {
         let model = read_model(model)?;
-        Ok(Self { world: guarded(|| World::new(model))? })
+        Ok(Self {
+            world: guarded(|| World::new(model))?,
+        })
     }
 
     /// Make `steps` steps. Signals are looked for every 50 ms; a pending one raises between two steps.
@@ -434,7 +542,8 @@ impl PyWorld {
         let mut left = steps;
         while left > 0 {
             let (world, oracle) = (&mut self.world, &mut callback);
-            let (made, result) = py.detach(move || guarded(move || run_for(world, left, oracle)))?;
+            let (made, result) =
+                py.detach(move || guarded(move || run_for(world, left, oracle)))?;
             left -= made;
             if let Err(error) = result {
                 return Err(failure(error, callback));
@@ -447,10 +556,22 @@ impl PyWorld {
     fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let bodies = self.world.bodies();
         let out = PyDict::new(py);
-        out.set_item("position", table(py, bodies.iter().map(|b| b.state.position.to_array()))?)?;
-        out.set_item("orientation", table(py, bodies.iter().map(|b| wxyz(b.state.orientation)))?)?;
-        out.set_item("velocity", table(py, bodies.iter().map(|b| b.state.velocity.to_array()))?)?;
-        out.set_item("angular_velocity", table(py, bodies.iter().map(|b| b.angular_velocity.to_array()))?)?;
+        out.set_item(
+            "position",
+            table(py, bodies.iter().map(|b| b.state.position.to_array()))?,
+        )?;
+        out.set_item(
+            "orientation",
+            table(py, bodies.iter().map(|b| wxyz(b.state.orientation)))?,
+        )?;
+        out.set_item(
+            "velocity",
+            table(py, bodies.iter().map(|b| b.state.velocity.to_array()))?,
+        )?;
+        out.set_item(
+            "angular_velocity",
+            table(py, bodies.iter().map(|b| b.angular_velocity.to_array()))?,
+        )?;
         out.set_item("step", self.world.steps())?;
         Ok(out)
     }
@@ -469,18 +590,31 @@ impl PyWorld {
         };
         #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
         let ids = |f: fn(&crate::impact::Event) -> usize| {
-            events.iter().map(|e| f(e) as i32).collect::<Vec<i32>>().into_pyarray(py)
+            events
+                .iter()
+                .map(|e| f(e) as i32)
+                .collect::<Vec<i32>>()
+                .into_pyarray(py)
         };
         out.set_item("time", column(|e| e.time))?;
         out.set_item("body_a", ids(|e| e.bodies.0))?;
         out.set_item("body_b", ids(|e| e.bodies.1))?;
-        out.set_item("position", table(py, events.iter().map(|e| e.position.to_array()))?)?;
-        out.set_item("normal", table(py, events.iter().map(|e| e.normal.to_array()))?)?;
+        out.set_item(
+            "position",
+            table(py, events.iter().map(|e| e.position.to_array()))?,
+        )?;
+        out.set_item(
+            "normal",
+            table(py, events.iter().map(|e| e.normal.to_array()))?,
+        )?;
         out.set_item("speed_before", column(|e| e.speed_before))?;
         out.set_item("speed_after", column(|e| e.speed_after))?;
         out.set_item("impulse", column(|e| e.impulse))?;
         out.set_item("restitution_declared", column(|e| e.restitution))?;
-        out.set_item("restitution_measured", column(|e| e.speed_after / e.speed_before))?;
+        out.set_item(
+            "restitution_measured",
+            column(|e| e.speed_after / e.speed_before),
+        )?;
         Ok(out)
     }
 
@@ -578,9 +712,18 @@ impl PyWorld {
         }
         let out = PyDict::new(py);
         let points = || detector.found.iter().map(|f| &f.point);
-        out.set_item("position", table(py, points().map(|p| p.position.to_array()))?)?;
+        out.set_item(
+            "position",
+            table(py, points().map(|p| p.position.to_array()))?,
+        )?;
         out.set_item("normal", table(py, points().map(|p| p.normal.to_array()))?)?;
-        out.set_item("depth", points().map(|p| p.depth).collect::<Vec<_>>().into_pyarray(py))?;
+        out.set_item(
+            "depth",
+            points()
+                .map(|p| p.depth)
+                .collect::<Vec<_>>()
+                .into_pyarray(py),
+        )?;
         Ok(out)
     }
 }
@@ -603,12 +746,23 @@ fn run_for(world: &mut World, left: u64, oracle: &mut Callback) -> (u64, Result<
 
 fn contact_table<'py>(py: Python<'py>, contacts: &[Contact]) -> PyResult<Bound<'py, PyDict>> {
     let out = PyDict::new(py);
-    let vectors = |f: fn(&Contact) -> DVec3| table(py, contacts.iter().map(move |c| f(c).to_array()));
+    let vectors =
+        |f: fn(&Contact) -> DVec3| table(py, contacts.iter().map(move |c| f(c).to_array()));
     #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
     let ids = |f: fn(&Contact) -> usize| {
-        contacts.iter().map(|c| f(c) as i32).collect::<Vec<i32>>().into_pyarray(py)
+        contacts
+            .iter()
+            .map(|c| f(c) as i32)
+            .collect::<Vec<i32>>()
+            .into_pyarray(py)
     };
-    let numbers = |f: fn(&Contact) -> f64| contacts.iter().map(f).collect::<Vec<f64>>().into_pyarray(py);
+    let numbers = |f: fn(&Contact) -> f64| {
+        contacts
+            .iter()
+            .map(f)
+            .collect::<Vec<f64>>()
+            .into_pyarray(py)
+    };
     out.set_item("body_a", ids(|c| c.bodies.0))?;
     out.set_item("body_b", ids(|c| c.bodies.1))?;
     out.set_item("geom_a", ids(|c| c.geoms.0 as usize))?;
@@ -618,7 +772,10 @@ fn contact_table<'py>(py: Python<'py>, contacts: &[Contact]) -> PyResult<Bound<'
     out.set_item("position", vectors(|c| c.position)?)?;
     out.set_item("normal", vectors(|c| c.normal)?)?;
     out.set_item("depth", numbers(|c| -c.gap))?;
-    out.set_item("normal_impulse", numbers(|c| c.impulse.x + c.impact_impulse.dot(c.normal)))?;
+    out.set_item(
+        "normal_impulse",
+        numbers(|c| c.impulse.x + c.impact_impulse.dot(c.normal)),
+    )?;
     out.set_item("tangential_impulse", vectors(Contact::tangential_impulse)?)?;
     out.set_item("velocity_before", vectors(|c| c.velocity_before)?)?;
     out.set_item("velocity_after", vectors(|c| c.velocity_after)?)?;

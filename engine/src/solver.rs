@@ -19,6 +19,7 @@ use glam::{DMat3, DVec3};
 
 use crate::body::Body;
 use crate::contact::{Contact, Friction};
+use crate::math::length;
 use crate::subspace::Subspace;
 
 /// Sweeps between two linear solves.
@@ -68,13 +69,19 @@ impl Mover {
 impl Limits {
     /// A part of the sweeps.
     fn share(self, parts: usize) -> Self {
-        Self { iterations: self.iterations.div_ceil(parts), ..self }
+        Self {
+            iterations: self.iterations.div_ceil(parts),
+            ..self
+        }
     }
 }
 
 impl Report {
     fn then(self, next: Self) -> Self {
-        Self { residual: next.residual, iterations: self.iterations + next.iterations }
+        Self {
+            residual: next.residual,
+            iterations: self.iterations + next.iterations,
+        }
     }
 }
 
@@ -125,7 +132,15 @@ impl Solver {
                 break;
             }
             let left = limits.iterations - report.iterations;
-            report = report.then(self.iterate(contacts, which, Part::All, Limits { iterations: left, ..limits }));
+            report = report.then(self.iterate(
+                contacts,
+                which,
+                Part::All,
+                Limits {
+                    iterations: left,
+                    ..limits
+                },
+            ));
         }
         report
     }
@@ -149,7 +164,13 @@ impl Solver {
     /// Sweeps and linear solves in turn, until a sweep changes nothing any more. Ends with a sweep, so that every
     /// impulse lies in its cone. A linear solve may guess wrongly which contacts carry, and the next sweeps then have
     /// more to mend than before: the next guess waits longer, and where the sweeps run out the best impulses are taken.
-    fn iterate(&mut self, contacts: &mut [Contact], which: &[usize], part: Part, limits: Limits) -> Report {
+    fn iterate(
+        &mut self,
+        contacts: &mut [Contact],
+        which: &[usize],
+        part: Part,
+        limits: Limits,
+    ) -> Report {
         let mut iterations = 0;
         let mut best = f64::INFINITY;
         let mut patience = SWEEPS;
@@ -163,7 +184,10 @@ impl Solver {
                 }
             }
             if residual < limits.tolerance {
-                return Report { residual, iterations };
+                return Report {
+                    residual,
+                    iterations,
+                };
             }
             if residual > 0.5 * best {
                 patience *= 2;
@@ -175,7 +199,10 @@ impl Solver {
             }
             if iterations >= limits.iterations {
                 self.return_to_best(contacts, which);
-                return Report { residual: best, iterations };
+                return Report {
+                    residual: best,
+                    iterations,
+                };
             }
             self.leap(contacts, which, part, limits.tolerance / residual);
         }
@@ -191,10 +218,20 @@ impl Solver {
 
     /// One sweep; returns the greatest change of a relative velocity [m/s]. Every other sweep goes backwards: what a
     /// stack passes on reaches both its ends.
-    fn sweep(&mut self, contacts: &mut [Contact], which: &[usize], part: Part, backwards: bool) -> f64 {
+    fn sweep(
+        &mut self,
+        contacts: &mut [Contact],
+        which: &[usize],
+        part: Part,
+        backwards: bool,
+    ) -> f64 {
         let mut worst = 0.0_f64;
         for step in 0..which.len() {
-            let slot = if backwards { which.len() - 1 - step } else { step };
+            let slot = if backwards {
+                which.len() - 1 - step
+            } else {
+                step
+            };
             let contact = &mut contacts[which[slot]];
             let old = contact.impulse;
             self.solve_contact(contact, part);
@@ -205,20 +242,23 @@ impl Solver {
     }
 
     /// Solve the contacts that carry as a linear system, and bring the result back into the cones.
-    fn leap(
-        &mut self,
-        contacts: &mut [Contact],
-        which: &[usize],
-        part: Part,
-        reduction: f64,
-    ) {
+    fn leap(&mut self, contacts: &mut [Contact], which: &[usize], part: Part, reduction: f64) {
         let movers = &self.movers;
         let velocity = |c: &Contact| velocity_of(movers, c);
-        self.subspace.solve(contacts, which, part, movers, velocity, (0.1 * reduction).max(LEAP));
+        self.subspace.solve(
+            contacts,
+            which,
+            part,
+            movers,
+            velocity,
+            (0.1 * reduction).max(LEAP),
+        );
         for (slot, &k) in which.iter().enumerate() {
             let old = contacts[k].impulse;
             let new = match part {
-                Part::Normals => (old + self.subspace.step(slot)).max(DVec3::new(0.0, f64::MIN, f64::MIN)),
+                Part::Normals => {
+                    (old + self.subspace.step(slot)).max(DVec3::new(0.0, f64::MIN, f64::MIN))
+                }
                 Part::All => contacts[k].in_cone(old + self.subspace.step(slot)),
             };
             contacts[k].impulse = new;
@@ -258,12 +298,12 @@ impl Solver {
         for &k in which {
             let c = &mut contacts[k];
             let full = c.coefficients.static_friction * c.impulse.x;
-            let held = c.impulse.y.hypot(c.impulse.z) < full * (1.0 - 1e-9);
+            let held = length(c.impulse.y, c.impulse.z) < full * (1.0 - 1e-9);
             if c.friction == Friction::Kinetic || held || c.impulse.x == 0.0 {
                 continue;
             }
             let u = velocity_of(&self.movers, c);
-            if u.y.hypot(u.z) > noticeable {
+            if length(u.y, u.z) > noticeable {
                 c.friction = Friction::Kinetic;
                 any = true;
             }
@@ -291,19 +331,19 @@ fn friction_in_disc(b: (f64, f64), k: (f64, f64), radius: f64) -> (f64, f64) {
     if radius <= 0.0 {
         return (0.0, 0.0);
     }
-    let mut s = (b.0.hypot(b.1) / radius - k.0.max(k.1)).max(0.0);
+    let mut s = (length(b.0, b.1) / radius - k.0.max(k.1)).max(0.0);
     for _ in 0..20 {
         let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
-        let length = p.0.hypot(p.1);
-        let slope = -(p.0 * p.0 / (k.0 + s) + p.1 * p.1 / (k.1 + s)) / length;
-        let move_by = (length - radius) / radius * length / slope;
+        let size = length(p.0, p.1);
+        let slope = -(p.0 * p.0 / (k.0 + s) + p.1 * p.1 / (k.1 + s)) / size;
+        let move_by = (size - radius) / radius * size / slope;
         s -= move_by;
         if move_by.abs() <= 1e-14 * (k.0 + s) {
             break;
         }
     }
     let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
-    let scale = radius / p.0.hypot(p.1);
+    let scale = radius / length(p.0, p.1);
     (p.0 * scale, p.1 * scale)
 }
 
@@ -322,7 +362,7 @@ mod tests {
         let (b, k, radius) = ((3.0, -2.0), (2.0, 7.0), 0.25);
         let p = friction_in_disc(b, k, radius);
         let slip = (b.0 + k.0 * p.0, b.1 + k.1 * p.1);
-        assert!((p.0.hypot(p.1) - radius).abs() < 1e-15);
+        assert!((length(p.0, p.1) - radius).abs() < 1e-15);
         assert!((slip.0 * p.1 - slip.1 * p.0).abs() < 1e-12, "antiparallel");
         assert!(slip.0 * p.0 + slip.1 * p.1 < 0.0);
     }

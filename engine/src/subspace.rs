@@ -11,6 +11,7 @@
 use glam::DVec3;
 
 use crate::contact::Contact;
+use crate::math::length;
 use crate::solver::{Mover, Part};
 
 /// eps. What a leap leaves of an error in a motion whose eigenvalue of diag(A)^-1 A is e: eps / (eps + e). The
@@ -40,20 +41,27 @@ struct Freedom {
 impl Freedom {
     fn of(c: &Contact, part: Part) -> Self {
         let limit = c.friction_coefficient() * c.impulse.x;
-        let length = c.impulse.y.hypot(c.impulse.z);
+        let rubbing = length(c.impulse.y, c.impulse.z);
         let (asked, along) = if c.impulse.x <= 0.0 {
             (DVec3::ZERO, DVec3::ZERO)
         } else if part == Part::Normals {
             (DVec3::X, DVec3::ZERO)
-        } else if length < limit * (1.0 - 1e-9) {
+        } else if rubbing < limit * (1.0 - 1e-9) {
             (DVec3::ONE, DVec3::ZERO)
         } else if limit > 0.0 {
-            (DVec3::X, DVec3::new(0.0, c.impulse.y, c.impulse.z) * (limit / length / c.impulse.x))
+            (
+                DVec3::X,
+                DVec3::new(0.0, c.impulse.y, c.impulse.z) * (limit / rubbing / c.impulse.x),
+            )
         } else {
             (DVec3::X, DVec3::ZERO)
         };
         let k = c.stiffness();
-        Self { asked, along, scale: DVec3::new(1.0 / k.x.sqrt(), 1.0 / k.y.sqrt(), 1.0 / k.z.sqrt()) }
+        Self {
+            asked,
+            along,
+            scale: DVec3::new(1.0 / k.x.sqrt(), 1.0 / k.y.sqrt(), 1.0 / k.z.sqrt()),
+        }
     }
 
     /// The impulse that scaled unknowns stand for.
@@ -135,7 +143,13 @@ impl Subspace {
     }
 
     /// One Arnoldi step (modified Gram-Schmidt), and the Givens rotation that keeps the Hessenberg matrix triangular.
-    fn extend_basis(&mut self, contacts: &[Contact], which: &[usize], movers: &[Mover], last: usize) {
+    fn extend_basis(
+        &mut self,
+        contacts: &[Contact],
+        which: &[usize],
+        movers: &[Mover],
+        last: usize,
+    ) {
         let mut next = std::mem::take(&mut self.basis[last + 1]);
         self.multiply(contacts, which, movers, last, &mut next);
         let mut column = Vec::with_capacity(last + 2);
@@ -144,17 +158,23 @@ impl Subspace {
             next.iter_mut().zip(vector).for_each(|(n, v)| *n -= *v * h);
             column.push(h);
         }
-        let length = dot(&next, &next).sqrt();
-        if length > 0.0 {
-            next.iter_mut().for_each(|v| *v /= length);
+        let norm = dot(&next, &next).sqrt();
+        if norm > 0.0 {
+            next.iter_mut().for_each(|v| *v /= norm);
         }
         self.basis[last + 1] = next;
         for (row, &(c, s)) in self.rotations.iter().enumerate() {
-            (column[row], column[row + 1]) =
-                (c * column[row] + s * column[row + 1], c * column[row + 1] - s * column[row]);
+            (column[row], column[row + 1]) = (
+                c * column[row] + s * column[row + 1],
+                c * column[row + 1] - s * column[row],
+            );
         }
-        let radius = column[last].hypot(length);
-        let (c, s) = if radius > 0.0 { (column[last] / radius, length / radius) } else { (1.0, 0.0) };
+        let radius = length(column[last], norm);
+        let (c, s) = if radius > 0.0 {
+            (column[last] / radius, norm / radius)
+        } else {
+            (1.0, 0.0)
+        };
         column[last] = radius;
         self.rotations.push((c, s));
         self.rhs.push(-s * self.rhs[last]);
@@ -166,16 +186,28 @@ impl Subspace {
     fn combine(&mut self, contacts: usize, used: usize) {
         let mut weights = vec![0.0; used];
         for row in (0..used).rev() {
-            let known: f64 = (row + 1..used).map(|k| self.columns[k][row] * weights[k]).sum();
+            let known: f64 = (row + 1..used)
+                .map(|k| self.columns[k][row] * weights[k])
+                .sum();
             let pivot = self.columns[row][row];
-            weights[row] = if pivot > 0.0 { (self.rhs[row] - known) / pivot } else { 0.0 };
+            weights[row] = if pivot > 0.0 {
+                (self.rhs[row] - known) / pivot
+            } else {
+                0.0
+            };
         }
         self.step.clear();
         self.step.resize(contacts, DVec3::ZERO);
         for (vector, &weight) in self.basis.iter().zip(&weights) {
-            self.step.iter_mut().zip(vector).for_each(|(s, v)| *s += *v * weight);
+            self.step
+                .iter_mut()
+                .zip(vector)
+                .for_each(|(s, v)| *s += *v * weight);
         }
-        self.step.iter_mut().zip(&self.freedom).for_each(|(s, f)| *s = f.impulse(*s));
+        self.step
+            .iter_mut()
+            .zip(&self.freedom)
+            .for_each(|(s, f)| *s = f.impulse(*s));
     }
 
     /// out = (A W + eps diag(A)) basis[from], scaled.

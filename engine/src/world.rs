@@ -13,6 +13,7 @@ use crate::contact::{relative_velocity, Contact, Memory};
 use crate::impact::{gap_change, Event, Impacts, Rules};
 use crate::integrator::{drift, kick};
 use crate::ledger::{Energies, Ledger};
+use crate::math::length;
 use crate::model::{Geom, Model, PairTable, Settings, Stabilization};
 use crate::position::{Correction, SLOP};
 use crate::shape::Aabb;
@@ -97,7 +98,11 @@ impl World {
         let mut world = Self {
             broadphase: Broadphase::new(&model.geoms, &model.no_contact),
             accelerations: vec![DVec3::ZERO; bodies.len()],
-            match_radius: model.geoms.iter().map(|g| 0.2 * g.shape.bounding_radius()).collect(),
+            match_radius: model
+                .geoms
+                .iter()
+                .map(|g| 0.2 * g.shape.bounding_radius())
+                .collect(),
             settings: model.settings,
             geoms: model.geoms,
             pairs: model.pairs,
@@ -143,7 +148,11 @@ impl World {
     /// Accelerations of free bodies.
     fn evaluate_forces(&mut self) {
         for (a, body) in self.accelerations.iter_mut().zip(&self.bodies) {
-            *a = if body.is_fixed() { DVec3::ZERO } else { self.settings.gravity };
+            *a = if body.is_fixed() {
+                DVec3::ZERO
+            } else {
+                self.settings.gravity
+            };
         }
     }
 
@@ -155,17 +164,26 @@ impl World {
             if b.is_fixed() {
                 return 0.0;
             }
-            dt * (b.state.velocity.length() + a.length() * dt + b.angular_velocity.length() * b.reach)
+            dt * (b.state.velocity.length()
+                + a.length() * dt
+                + b.angular_velocity.length() * b.reach)
         };
-        let travels: Vec<f64> =
-            self.bodies.iter().zip(&self.accelerations).map(|(b, &a)| travel(b, a)).collect();
+        let travels: Vec<f64> = self
+            .bodies
+            .iter()
+            .zip(&self.accelerations)
+            .map(|(b, &a)| travel(b, a))
+            .collect();
         self.find_candidates(&travels);
         self.jobs.clear();
         for &(i, j) in &self.candidates {
             let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
             self.jobs.push(Job {
                 geoms: (i, j),
-                poses: (a.pose(&self.bodies[a.body].pose()), b.pose(&self.bodies[b.body].pose())),
+                poses: (
+                    a.pose(&self.bodies[a.body].pose()),
+                    b.pose(&self.bodies[b.body].pose()),
+                ),
                 margin: near_margin(a, b) + travels[a.body] + travels[b.body],
             });
         }
@@ -180,7 +198,13 @@ impl World {
         self.detector
             .run(&self.geoms, &self.jobs, self.settings.fcl_only, oracle)
             .and_then(|()| {
-                self.approach.contacts(&start, &self.jobs, &mut self.detector, oracle, &mut self.contacts)
+                self.approach.contacts(
+                    &start,
+                    &self.jobs,
+                    &mut self.detector,
+                    oracle,
+                    &mut self.contacts,
+                )
             })
             .map_err(Failure::Oracle)
     }
@@ -194,7 +218,12 @@ impl World {
             self.boxes.push(geom.shape.aabb(&pose).expanded(grown));
         }
         let bodies = &self.bodies;
-        self.broadphase.pairs(&self.geoms, &self.boxes, |k| !bodies[k].is_fixed(), &mut self.candidates);
+        self.broadphase.pairs(
+            &self.geoms,
+            &self.boxes,
+            |k| !bodies[k].is_fixed(),
+            &mut self.candidates,
+        );
     }
 
     fn rules(&self) -> Rules {
@@ -210,7 +239,12 @@ impl World {
 
     fn resolve_impacts(&mut self) {
         let rules = self.rules();
-        self.impacts.resolve(&mut self.bodies, &self.accelerations, &mut self.contacts, &rules);
+        self.impacts.resolve(
+            &mut self.bodies,
+            &self.accelerations,
+            &mut self.contacts,
+            &rules,
+        );
         self.ledger.book(self.impacts.work.0, self.impacts.work.1);
     }
 
@@ -231,20 +265,33 @@ impl World {
     fn solve_contacts(&mut self) {
         let dt = self.settings.timestep;
         let baumgarte = self.settings.stabilization == Stabilization::Baumgarte;
-        let beta = if baumgarte { self.settings.baumgarte } else { 0.0 };
+        let beta = if baumgarte {
+            self.settings.baumgarte
+        } else {
+            0.0
+        };
         self.gaps.clear();
         for c in &mut self.contacts {
             let gap = c.gap + gap_change(&self.impacts.kinks, c);
-            c.target = if gap > 0.0 { -(gap - SLOP).max(0.0) / dt } else { -beta * gap / dt };
+            c.target = if gap > 0.0 {
+                -(gap - SLOP).max(0.0) / dt
+            } else {
+                -beta * gap / dt
+            };
             c.impulse = DVec3::ZERO;
             self.gaps.push(gap);
         }
-        self.memory.recall(&mut self.contacts, &self.bodies, &self.match_radius);
+        self.memory
+            .recall(&mut self.contacts, &self.bodies, &self.match_radius);
         self.every.clear();
         self.every.extend(0..self.contacts.len());
-        let limits =
-            Limits { iterations: self.settings.iterations, tolerance: self.settings.tolerance };
-        self.report = self.solver.solve(&self.bodies, &mut self.contacts, &self.every, limits);
+        let limits = Limits {
+            iterations: self.settings.iterations,
+            tolerance: self.settings.tolerance,
+        };
+        self.report = self
+            .solver
+            .solve(&self.bodies, &mut self.contacts, &self.every, limits);
         for c in &self.contacts {
             c.apply(&mut self.bodies, c.impulse);
         }
@@ -255,14 +302,22 @@ impl World {
     /// Velocities after the solve, their work, and the gaps that they lead to.
     fn note_contacts(&mut self) {
         let tolerance = 10.0 * self.settings.tolerance;
-        for ((c, start), gap) in self.contacts.iter_mut().zip(&self.starts).zip(&mut self.gaps) {
+        for ((c, start), gap) in self
+            .contacts
+            .iter_mut()
+            .zip(&self.starts)
+            .zip(&mut self.gaps)
+        {
             c.velocity_after = relative_velocity(&self.bodies, c.bodies, c.arms);
             let u = c.to_local(c.velocity_after);
             let mean = 0.5 * (*start + u);
-            self.ledger.book(c.impulse.x * mean.x, c.impulse.y * mean.y + c.impulse.z * mean.z);
+            self.ledger.book(
+                c.impulse.x * mean.x,
+                c.impulse.y * mean.y + c.impulse.z * mean.z,
+            );
             *gap += u.x * self.settings.timestep;
             let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
-            c.sliding = loaded && u.y.hypot(u.z) > tolerance;
+            c.sliding = loaded && length(u.y, u.z) > tolerance;
         }
     }
 
@@ -286,7 +341,10 @@ impl World {
         }
         let before = self.gravitational();
         let beta = self.settings.baumgarte;
-        if self.correction.apply(&mut self.bodies, &self.contacts, &self.gaps, beta) {
+        if self
+            .correction
+            .apply(&mut self.bodies, &self.contacts, &self.gaps, beta)
+        {
             self.ledger.stabilization += self.gravitational() - before;
         }
     }
@@ -294,11 +352,19 @@ impl World {
     /// Has anything blown up? Does everything rest?
     fn watch(&mut self) -> Result<(), Failure> {
         let mut resting = true;
-        for (index, body) in self.bodies.iter().enumerate().filter(|(_, b)| !b.is_fixed()) {
+        for (index, body) in self
+            .bodies
+            .iter()
+            .enumerate()
+            .filter(|(_, b)| !b.is_fixed())
+        {
             let speed = body.state.velocity.length();
             let spin = body.angular_velocity.length();
             if !(speed < SPEED_LIMIT && body.state.position.is_finite() && spin.is_finite()) {
-                return Err(Failure::Diverged { body: index, time: self.time() });
+                return Err(Failure::Diverged {
+                    body: index,
+                    time: self.time(),
+                });
             }
             resting &= speed + spin * body.reach.max(1e-3) < REST_SPEED;
         }
@@ -310,16 +376,26 @@ impl World {
     ///
     /// # Errors
     /// The oracle's.
-    pub fn detect(&mut self, margin: f64, oracle: &mut dyn Oracle) -> Result<Vec<Contact>, Failure> {
+    pub fn detect(
+        &mut self,
+        margin: f64,
+        oracle: &mut dyn Oracle,
+    ) -> Result<Vec<Contact>, Failure> {
         self.find_candidates(&vec![margin; self.bodies.len()]);
         let jobs: Vec<Job> = self
             .candidates
             .iter()
             .map(|&(i, j)| {
                 let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
-                let poses =
-                    (a.pose(&self.bodies[a.body].pose()), b.pose(&self.bodies[b.body].pose()));
-                Job { geoms: (i, j), poses, margin }
+                let poses = (
+                    a.pose(&self.bodies[a.body].pose()),
+                    b.pose(&self.bodies[b.body].pose()),
+                );
+                Job {
+                    geoms: (i, j),
+                    poses,
+                    margin,
+                }
             })
             .collect();
         self.detector
@@ -328,10 +404,19 @@ impl World {
         let contact = |found: &crate::collide::Found| {
             let (i, j) = jobs[found.job as usize].geoms;
             let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
-            let centres =
-                (self.bodies[a.body].state.position, self.bodies[b.body].state.position);
+            let centres = (
+                self.bodies[a.body].state.position,
+                self.bodies[b.body].state.position,
+            );
             let coefficients = self.pairs.get(a.material, b.material);
-            Contact::new((i, j), (a, b), &self.bodies, centres, coefficients, &found.point)
+            Contact::new(
+                (i, j),
+                (a, b),
+                &self.bodies,
+                centres,
+                coefficients,
+                &found.point,
+            )
         };
         Ok(self.detector.found.iter().map(contact).collect())
     }
@@ -366,7 +451,11 @@ impl World {
 
     fn gravitational(&self) -> f64 {
         let weight = |b: &Body| -b.mass.mass * self.settings.gravity.dot(b.state.position);
-        self.bodies.iter().filter(|b| !b.is_fixed()).map(weight).sum()
+        self.bodies
+            .iter()
+            .filter(|b| !b.is_fixed())
+            .map(weight)
+            .sum()
     }
 
     /// Energies now, and the books so far.
