@@ -34,8 +34,8 @@ Less: FCL's error, about its tolerance over the distance, grows. More: on round 
 slower."""
 
 LEAST_CLEARANCE = 1e-6
-"""First the clearance is only the depth itself, down to this part of the smaller shape's size: where a corner
-overlaps a little, a larger one hides the faces beside it, and the descent creeps."""
+"""First the clearance is only twice the depth or gap, down to this part of the smaller shape's size: where
+corners overlap or part a little, a larger one hides what is beside them, and the descent creeps."""
 
 ROUNDS = 12
 """Rounds of a descent at most. Flat faces need two, round shapes three, overlapping corners up to ten."""
@@ -68,12 +68,16 @@ class Contact(NamedTuple):
 
 
 def search(pair: Pair, margin: float) -> Contact | None:
-    """The contact of two convex shapes, or None when they are farther apart than `margin` [m]."""
+    """The contact of two convex shapes, or None when they are farther apart than `margin` [m].
+
+    Cores that FCL calls apart, but that overlap along its own direction, touch to within its tolerance, and
+    that direction means nothing.
+    """
     contact = _apart(pair)
-    if contact is None:
+    if contact is None or contact.depth > pair.skin:
         contact = _overlapping(pair)
     elif contact.depth >= -margin:
-        contact = _wide_step(pair, _wide_step(pair, contact))
+        contact = _descent(pair, contact)
     return _leveled(pair, contact) if contact.depth >= -margin else None
 
 
@@ -138,11 +142,11 @@ def _all_around(pair: Pair) -> NDArray[np.float64]:
 
 
 def _descent(pair: Pair, contact: Contact) -> Contact:
-    """Rounds of moving A away and asking FCL, first by little, then by enough for a good direction."""
+    """Rounds of moving A away and asking FCL: by little while that gains, then by enough for precision."""
     for _ in range(ROUNDS):
         before = contact.depth
-        clearance = min(max(before, LEAST_CLEARANCE * pair.size), CLEARANCE * pair.size)
-        contact = _step(pair, contact, clearance)
+        clearance = max(2.0 * abs(before - pair.skin), LEAST_CLEARANCE * pair.size)
+        contact = _step(pair, contact, min(clearance, CLEARANCE * pair.size))
         if before - contact.depth > 1e-3 * abs(before):
             continue
         before = contact.depth
