@@ -53,7 +53,7 @@ class _Compiler:
     def model(self) -> Model:
         """Raises SceneError with everything that was found."""
         bodies = self._bodies()
-        no_contact = no_contact_pairs(self.scene.spec.no_contact, list(self.scene.bodies))
+        no_contact = no_contact_pairs(self.scene.spec.no_contact, list(self.scene.bodies), self.findings)
         model = None if bodies is None else self._assembled(bodies, no_contact)
         if model is not None and bodies is not None:
             checks.check_model(model, bodies, self.paths, self.findings)

@@ -7,22 +7,33 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
+from physsim.model.findings import Findings
 from physsim.scene.patterns import matches
 
 Pairs = npt.NDArray[np.int32]
 
 
-def no_contact_pairs(patterns: Sequence[Sequence[str]], names: Sequence[str]) -> Pairs:
-    """Numbers (K, 2) of the different bodies that each row of patterns names, lower first, sorted, each
-    once.
+MAX_PAIRS = 5_000_000
+"""Listed pairs; the engine keeps every one (40 million took minutes to list)."""
+
+
+def no_contact_pairs(patterns: Sequence[Sequence[str]], names: Sequence[str], findings: Findings) -> Pairs:
+    """Numbers (K, 2) of the different bodies that each row of patterns names, lower first, sorted, each once.
+
+    More than `MAX_PAIRS` in all are an error in `findings`.
     """
-    count = len(names)
+    count, listed = len(names), 0
     codes = [np.empty(0, dtype=np.int64)]
-    for first, second in patterns:
+    for row, (first, second) in enumerate(patterns):
         a, b = _matching(first, names), _matching(second, names)
+        listed += len(a) * len(b)
+        if listed > MAX_PAIRS:
+            hint = "collides: false takes a body out of all contacts"
+            findings.error(("no_contact", row), f"names more than {MAX_PAIRS} pairs of bodies", hint=hint)
+            break
         low = np.minimum(a[:, None], b[None, :]).ravel()
         high = np.maximum(a[:, None], b[None, :]).ravel()
-        codes.append(np.unique((low * count + high)[low != high]))
+        codes.append((low * count + high)[low != high])
     pairs = np.column_stack(np.divmod(np.unique(np.concatenate(codes)), count))
     return pairs.astype(np.int32)
 

@@ -41,7 +41,7 @@ def can_touch(
 
     Counts ordered pairs of different bodies, not both fixed, and takes off those that `no_contact` names.
     """
-    has = body_materials.astype(np.int64)
+    has = body_materials.astype(np.float64)  # whole numbers below 2^53; integer products are not done by BLAS
     everyone, standing = has.sum(axis=0), has[fixed].sum(axis=0)
     counts = np.outer(everyone, everyone) - np.outer(standing, standing) - has[~fixed].T @ has[~fixed]
     one_moves = ~(fixed[no_contact[:, 0]] & fixed[no_contact[:, 1]])

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from small_scenes import body, body_problem, compiled
+from small_scenes import body, body_problem, compiled, problems
 
 from physsim.errors import dotted
-from physsim.model import GeomKind, primitives
+from physsim.model import GeomKind, no_contact, primitives
 
 FLOOR = "  floor: {fixed: true, shape: {type: halfspace}, material: concrete}\n"
 
@@ -279,6 +279,16 @@ def test_everything_against_everything_is_every_pair_once() -> None:
     model = compiled(f'bodies:\n  a: {{{keys}}}\nno_contact: [["*", "a*"]]\n')
     i, j = np.triu_indices(20, k=1)
     assert model.no_contact.tolist() == np.column_stack([i, j]).tolist()
+
+
+def test_too_many_pairs_are_refused_before_they_are_listed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(no_contact, "MAX_PAIRS", 99)
+    keys = (
+        "shape: {type: sphere, radius: 0.1}, material: steel, repeat: {count: [10, 1, 1], spacing: [1, 0, 0]}"
+    )
+    (problem,) = problems(f'bodies:\n  a: {{{keys}}}\nno_contact: [["*", "*"]]\n')
+    assert problem.line == 5
+    assert "more than 99 pairs" in problem.message
 
 
 # ---------------------------------------------------------------- imports
