@@ -1,4 +1,4 @@
-"""Small worlds from YAML text, stepped directly: what is tested is the physics of the engine, not the files."""
+"""Small worlds from YAML text, stepped directly: the physics of the engine, not the files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Array = Any
 GRAVITY = 9.81
 HEAD = """
 physsim: 1
-simulation: {duration: 100 s, timestep: %r}
+simulation: {duration: 100 s, timestep: %r, tolerance: %r}
 world: {gravity: [0, 0, %r]}
 mixing: {restitution: minimum, friction: geometric_mean}
 materials:
@@ -95,16 +95,15 @@ def lab(
     e: float = 0.0,
     mu: float = 0.0,
     mu_k: float | None = None,
-    extra: str = "",
+    tolerance: float = 1e-6,
 ) -> Lab:
-    """A scene of one material `stuff` (1000 kg/m^3, e, mu static, mu_k kinetic); `bodies` and `extra` (further
-    sections) are YAML, gravity points down.
+    """A scene of one material `stuff` (1000 kg/m^3, e, mu static, mu_k kinetic); `bodies` is YAML, gravity
+    points down.
     """
     kinetic = mu if mu_k is None else mu_k
-    stuff = (
-        f"stuff: {{density: 1000, restitution: {e!r}, static_friction: {mu!r}, kinetic_friction: {kinetic!r}}}"
-    )
-    return Lab(HEAD % (timestep, -gravity, stuff) + bodies + extra)
+    friction = f"static_friction: {mu!r}, kinetic_friction: {kinetic!r}"
+    stuff = f"stuff: {{density: 1000, restitution: {e!r}, {friction}}}"
+    return Lab(HEAD % (timestep, tolerance, -gravity, stuff) + bodies)
 
 
 def body(name: str, shape: str, **fields: Any) -> str:

@@ -31,7 +31,7 @@ def heights(e: float, timestep: float, bounces: int) -> list[float]:
 @pytest.mark.parametrize("e", [0.3, 0.5, 0.8, 1.0])
 @pytest.mark.parametrize("timestep", [4e-3, 1e-3])
 def test_bounce_heights(e, timestep):
-    """h_n = e^(2n) h: impacts are found within the step. The top falls between two samples: up to g dt^2 / 8."""
+    """h_n = e^(2n) h: impacts are found within the step. Tops fall between samples: up to g dt^2 / 8."""
     sampling = GRAVITY * timestep**2 / 8
     for n, top in enumerate(heights(e, timestep, 3), start=1):
         # measured at most 1.0 of this bound
@@ -64,8 +64,10 @@ def test_restitution_that_was_measured_is_what_was_declared():
 
 
 def oblique(e: float, mu: float, speed: float, spin: float = 0.0):
-    """A ball hits the floor at 3 m/s down, `speed` along x, turning about y; no gravity. Returns v, w after."""
-    ball = body("ball", BALL, position=(0, 0, 2 * RADIUS), velocity=(speed, 0, -3), angular_velocity=(0, spin, 0))
+    """A ball hits the floor at 3 m/s down, `speed` along x, turning about y; no gravity. v, w after."""
+    ball = body(
+        "ball", BALL, position=(0, 0, 2 * RADIUS), velocity=(speed, 0, -3), angular_velocity=(0, spin, 0)
+    )
     hit = lab(FLOOR + ball, gravity=0.0, e=e, mu=mu).run(0.1)
     return hit.get("velocity", "ball"), hit.get("angular_velocity", "ball")
 
@@ -87,10 +89,12 @@ def test_oblique_impact_of_a_ball(e, mu, speed, spin):
 
 
 def test_two_balls_in_line_exchange_by_their_masses():
-    """v1' = (m1 - e m2) v / (m1 + m2), v2' = (1 + e) m1 v / (m1 + m2) (Landau & Lifshitz, Mechanics, sec. 17)."""
+    """v1' = (m1 - e m2) v / (m1 + m2), v2' = (1 + e) m1 v / (m1 + m2) (Landau & Lifshitz, sec. 17)."""
     for e in (0.0, 0.5, 1.0):
         for m1, m2 in ((1.0, 1.0), (1.0, 3.0), (5.0, 1.0)):
-            pair = body("a", BALL, mass=m1, velocity=(2, 0, 0)) + body("b", BALL, mass=m2, position=(0.5, 0, 0))
+            pair = body("a", BALL, mass=m1, velocity=(2, 0, 0)) + body(
+                "b", BALL, mass=m2, position=(0.5, 0, 0)
+            )
             hit = lab(pair, gravity=0.0, e=e).run(0.3)
             total = m1 + m2
             assert hit.get("velocity", "a") == pytest.approx([2 * (m1 - e * m2) / total, 0, 0], abs=1e-13)
@@ -109,8 +113,7 @@ def test_a_box_that_lands_flat_stays_flat(e):
 @pytest.mark.parametrize("timestep", [2e-3, 1e-3])
 def test_a_rod_that_hits_with_its_end(timestep):
     """A rod of length l, level but for 30 degrees, without friction: its end has K = 1/m + d^2 / I with
-    d = l/2 cos 30, I = m l^2 / 12, so J = (1 + e) v / K, v' = J / m - v, w' = d J / I. Measured 1e-3 of w from the
-    turning of the tip within the step before the hit is booked.
+    d = l/2 cos 30, I = m l^2 / 12, so J = (1 + e) v / K, v' = J / m - v, w' = d J / I.
     """
     e, length, mass, speed = 0.5, 1.0, 2.0, 1.0
     turn = {"axis": (0, 1, 0), "angle": np.pi / 3}  # the rod's axis is z
@@ -120,4 +123,6 @@ def test_a_rod_that_hits_with_its_end(timestep):
     inertia, arm = mass * length**2 / 12, length / 2 * np.cos(np.pi / 6)
     impulse = (1 + e) * speed / (1 / mass + arm**2 / inertia)
     assert hit.get("velocity", "rod") == pytest.approx([0, 0, impulse / mass - speed], abs=1e-12)
-    assert np.abs(hit.get("angular_velocity", "rod")) == pytest.approx([0, impulse * arm / inertia, 0], abs=1e-11)
+    assert np.abs(hit.get("angular_velocity", "rod")) == pytest.approx(
+        [0, impulse * arm / inertia, 0], abs=1e-11
+    )

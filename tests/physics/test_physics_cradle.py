@@ -11,14 +11,16 @@ SPEED = 1.0
 
 
 def cradle(moving: int, gap: float, *, mu: float = 0.0, e: float = 1.0, way: tuple[float, ...] = (1, 0, 0)):
-    """`moving` balls come in together, 5 cm before the others, with all gaps `gap`. Speeds along the line after."""
+    """`moving` balls come in together, 5 cm before the others, all other gaps `gap`. Speeds after."""
     line, places, along = "", [], 0.0
     for n in range(5):
         along += (2 * RADIUS + (0.05 if n == moving else gap)) if n else 0.0
         places.append(along)
     for n, place in enumerate(places):
         velocity = SPEED * np.array(way) if n < moving else (0, 0, 0)
-        line += body(f"b{n}", f"type: sphere, radius: {RADIUS}", position=place * np.array(way), velocity=velocity)
+        line += body(
+            f"b{n}", f"type: sphere, radius: {RADIUS}", position=place * np.array(way), velocity=velocity
+        )
     done = lab(line, gravity=0.0, e=e, mu=mu).run(0.3)
     v = done.all("velocity")
     assert np.linalg.norm(v - np.outer(v @ np.array(way), way)) < 1e-12
@@ -46,7 +48,13 @@ def test_one_in_against_heavier_and_heavier_balls():
     """Gaps make it a chain of two-body impacts: v' = 2 m / (m + M) v from ball to ball."""
     masses = [1.0, 2.0, 4.0]
     row = "".join(
-        body(f"b{n}", f"type: sphere, radius: {RADIUS}", mass=m, position=(n * 0.11, 0, 0), velocity=(1.0 - min(n, 1), 0, 0))
+        body(
+            f"b{n}",
+            f"type: sphere, radius: {RADIUS}",
+            mass=m,
+            position=(n * 0.11, 0, 0),
+            velocity=(1.0 - min(n, 1), 0, 0),
+        )
         for n, m in enumerate(masses)
     )
     v = lab(row, gravity=0.0, e=1.0).run(0.2).all("velocity")[:, 0]

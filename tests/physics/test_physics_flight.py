@@ -16,7 +16,7 @@ def tumbling(timestep: float):
 
 @pytest.mark.parametrize("timestep", [1e-2, 5e-3, 1e-3])
 def test_a_parabola_lags_by_half_a_step_of_gravity(timestep):
-    """v_n = v0 + n dt g exactly and x_n = x0 + v0 t + g t (t + dt) / 2: off the parabola by g t dt / 2, no more."""
+    """v_n = v0 + n dt g exactly and x_n = x0 + v0 t + g t (t + dt) / 2: g t dt / 2 off the parabola."""
     ball = body("ball", "type: sphere, radius: 0.1", position=(0, 0, 1), velocity=(2, -1, 3))
     flown = lab(ball, timestep=timestep).run(1.0)
     x, v = flown.get("position", "ball"), flown.get("velocity", "ball")
