@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
-from physsim.materials import NUMBERS, UnknownPair, resolve_pair
+from physsim.materials import NUMBERS, ResolvedPair, UnknownPair, resolve_pair
 from physsim.model.findings import Findings, Path
 from physsim.model.no_contact import Pairs
 from physsim.model.rotation import FloatArray
@@ -52,7 +52,7 @@ def can_touch(
 
 @dataclass(frozen=True)
 class Complaints:
-    """Where errors about materials go: `places` says where in the scene each material is used."""
+    """Where errors and warnings about materials go: `places` says where in the scene each material is used."""
 
     places: Mapping[str, Path]
     findings: Findings
@@ -61,11 +61,18 @@ class Complaints:
         """Note a pair without numbers at a body made of its second material."""
         self.findings.error(self.places[pair.between[1]], str(pair), hint=pair.hint)
 
+    def assumed(self, pair: ResolvedPair) -> None:
+        """Note what was assumed of a pair at a body made of its second material."""
+        a, b = pair.between
+        numbers = " and ".join(pair.assumed)
+        message = f"no {numbers} known between '{a}' and '{b}', 0 is assumed"
+        self.findings.warn(self.places[b], message, hint=pair.hint)
+
 
 def pair_table(
     names: Sequence[str], needed: npt.NDArray[np.bool_], spec: SceneSpec, complaints: Complaints
 ) -> PairTable:
-    """Every pair of `names` resolved; a pair that is `needed` (M, M) and not known is complained about."""
+    """Every pair of `names` resolved; a pair that is `needed` (M, M) and not known is told."""
     count = len(names)
     table = {number: np.zeros((count, count)) for number in NUMBERS}
     source = [[NEVER] * count for _ in names]
@@ -76,6 +83,8 @@ def pair_table(
             if needed[i, j]:
                 complaints.unknown(unknown)
             continue
+        if needed[i, j] and pair.assumed:
+            complaints.assumed(pair)
         source[i][j] = source[j][i] = pair.source
         for number, matrix in table.items():
             matrix[i, j] = matrix[j, i] = getattr(pair, number).value
