@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from itertools import combinations
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +15,7 @@ from click.shell_completion import CompletionItem
 from physsim.cli import output
 from physsim.cli.table import number, table
 from physsim.cli.verb import Example, Verb, debug_option, json_option
-from physsim.materials import NUMBERS, UnknownPair, library, resolve_pair
+from physsim.materials import NUMBERS, library, resolve_pair
 
 if TYPE_CHECKING:
     from physsim.materials import ResolvedPair
@@ -116,44 +116,20 @@ def show_pairs(names: Sequence[str], as_json: bool) -> None:
     """What holds between each two of the names in a scene that declares nothing."""
     resolved = [resolve(a, b) for a, b in combinations(names, 2)]
     if as_json:
-        output.document("materials", 0, pairs=[resolved_data(*pair) for pair in resolved])
+        output.document("materials", 0, pairs=[resolved_data(pair) for pair in resolved])
         return
-    for pair, missing in resolved:
+    for pair in resolved:
         output.result(click.style(" - ".join(pair.between), bold=True))
         for name in NUMBERS:
             known = getattr(pair, name)
-            told = (
-                f"not known: {missing[name]}"
-                if name in missing
-                else f"{number(known.value)}\n    {known.source}"
-            )
-            output.result(f"  {name}: {told}")
+            output.result(f"  {name}: {number(known.value)}\n    {known.source}")
 
 
-@dataclass(frozen=True)
-class StandIn:
-    """A row of pairs for numbers that nobody knows, so that the others can be resolved unchanged."""
-
-    between: tuple[str, str]
-    restitution: float | None
-    static_friction: float | None
-    kinetic_friction: float | None
-
-    @classmethod
-    def of(cls, unknown: UnknownPair) -> StandIn:
-        """0 for what is missing; of the friction coefficients it is both or none, so they stay in order."""
-        return cls(unknown.between, *(0.0 if name in unknown.missing else None for name in NUMBERS))
-
-
-def resolve(a: str, b: str) -> tuple[ResolvedPair, dict[str, str]]:
-    """The pair under the scene language's default mixing rules, and why a number of it is not known."""
+def resolve(a: str, b: str) -> ResolvedPair:
+    """The pair under the scene language's default mixing rules."""
     from physsim.scene.spec.materials import MixingSpec
 
-    mixing = MixingSpec()
-    try:
-        return resolve_pair(a, b, {}, (), mixing), {}
-    except UnknownPair as unknown:
-        return resolve_pair(a, b, {}, (StandIn.of(unknown),), mixing), unknown.missing
+    return resolve_pair(a, b, {}, (), MixingSpec())
 
 
 def material_row(material: Material) -> list[str]:
@@ -184,12 +160,9 @@ def number_lines(name: str, value: Number | None) -> str:
     return "\n    ".join([f"  {name}: {value.value:g}{UNITS.get(name, '')}{spread}", *below, *value.sources])
 
 
-def resolved_data(pair: ResolvedPair, missing: dict[str, str]) -> dict[str, Any]:
-    """A resolved pair for the JSON document: each number with its source, or null and why."""
+def resolved_data(pair: ResolvedPair) -> dict[str, Any]:
+    """A resolved pair for the JSON document: each number with its source."""
     numbers = {
-        name: {"value": None, "source": None, "missing": missing[name]}
-        if name in missing
-        else {"value": getattr(pair, name).value, "source": getattr(pair, name).source, "missing": None}
-        for name in NUMBERS
+        name: {"value": getattr(pair, name).value, "source": getattr(pair, name).source} for name in NUMBERS
     }
-    return {"between": list(pair.between), **numbers}
+    return {"between": list(pair.between), **numbers, "assumed": list(pair.assumed)}

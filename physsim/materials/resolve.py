@@ -4,11 +4,15 @@ Each of the three numbers is looked up by itself, so a pair whose friction is kn
 not takes only the latter from the mixing rule. A material that the scene redefines keeps the library's
 pairs for the numbers it does not state; a number it does state is newer than the table and goes through the
 mixing rule.
+
+A rule needs a number of either material. Where one of them has none the other's is taken, and where neither
+has one 0 is assumed (no rebound, no friction); both are said in the source, and whoever compiles the scene
+warns of what was assumed. The rule `error` refuses instead.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -16,6 +20,8 @@ from physsim.errors import PhyssimError
 from physsim.materials import library
 from physsim.materials.mixing import RULES
 
+ASSUMED = 3
+"""Rank of a number that nobody knows."""
 NUMBERS = ("restitution", "static_friction", "kinetic_friction")
 _SUBSTITUTE = {"static_friction": ("kinetic_friction",), "kinetic_friction": ("static_friction",)}
 
@@ -60,8 +66,8 @@ class ResolvedNumber:
     value: float
     source: str
     rank: int
-    """0 scene's pairs, 1 library's pairs, 2 mixing rule: of two numbers that disagree the lower rank
-    stands.
+    """0 scene's pairs, 1 library's pairs, 2 mixing rule, `ASSUMED`: of two numbers that disagree the lower
+    rank stands.
     """
 
 
@@ -75,6 +81,16 @@ class ResolvedPair:
     kinetic_friction: ResolvedNumber
 
     @property
+    def assumed(self) -> tuple[str, ...]:
+        """The numbers that nobody knows."""
+        return tuple(name for name in NUMBERS if getattr(self, name).rank == ASSUMED)
+
+    @property
+    def hint(self) -> str:
+        """The line to add to the scene for what was assumed."""
+        return declare(self.between, self.assumed)
+
+    @property
     def source(self) -> str:
         """One line: the common source, or one for each number."""
         found = [(name, getattr(self, name).source) for name in NUMBERS]
@@ -86,7 +102,7 @@ class ResolvedPair:
 
 
 class UnknownPair(PhyssimError):
-    """Numbers of a pair that neither a table nor the mixing rule can give.
+    """Numbers of a pair that are in no table, under the mixing rule `error`.
 
     between: the two names; missing: number -> why it is not known.
     """
@@ -104,8 +120,13 @@ class UnknownPair(PhyssimError):
     @property
     def hint(self) -> str:
         """The line to add to the scene."""
-        wanted = ", ".join(f"{name}: ..." for name in self.missing)
-        return f"declare it: pairs: [{{between: [{self.between[0]}, {self.between[1]}], {wanted}}}]"
+        return declare(self.between, self.missing)
+
+
+def declare(between: tuple[str, str], numbers: Iterable[str]) -> str:
+    """The row of `pairs` that gives these numbers."""
+    wanted = ", ".join(f"{name}: ..." for name in numbers)
+    return f"declare it: pairs: [{{between: [{between[0]}, {between[1]}], {wanted}}}]"
 
 
 def resolve_pair(
@@ -117,9 +138,9 @@ def resolve_pair(
 ) -> ResolvedPair:
     """The coefficients between materials `a` and `b`, which may be the same.
 
-    Raises UnknownPair when a number cannot be had. Of the two coefficients of friction one is enough. Where
-    static and kinetic friction come from different places and disagree (static below kinetic), the one from
-    the better place stands and the other is set equal to it.
+    Raises UnknownPair when a number is in no table and its mixing rule is `error`. Of the two coefficients of
+    friction one is enough. Where static and kinetic friction come from different places and disagree (static
+    below kinetic), the one from the better place stands and the other is set equal to it.
     """
     rules = {
         "restitution": mixing.restitution,
@@ -139,8 +160,11 @@ def resolve_pair(
         else:
             missing[name] = number
     _complete_friction(found, missing)
-    if missing:
-        raise UnknownPair((a, b), missing)
+    refused = {name: why for name, why in missing.items() if rules[name] == "error"}
+    if refused:
+        raise UnknownPair((a, b), refused)
+    for name, why in missing.items():
+        found[name] = ResolvedNumber(0.0, f"assumed 0: {why}", ASSUMED)
     static, kinetic = _ordered(found["static_friction"], found["kinetic_friction"])
     return ResolvedPair((a, b), found["restitution"], static, kinetic)
 
@@ -199,10 +223,13 @@ def _mixed(
     if rule == "error":
         return "is in no table, and mixing is 'error'"
     values = {material: _single(name, material, scene_materials) for material in (a, b)}
-    unknown = [f"'{material}'" for material, value in values.items() if value is None]
+    unknown = " and ".join(f"'{material}'" for material, value in values.items() if value is None)
+    known = [(material, value) for material, value in values.items() if value is not None]
+    if not known:
+        return f"is not given for {unknown}"
     if unknown:
-        return f"is not given for {' and '.join(unknown)}"
-    first, second = float(values[a] or 0.0), float(values[b] or 0.0)
+        return ResolvedNumber(known[0][1], f"mixing: only '{known[0][0]}' has a number", 2)
+    first, second = known[0][1], known[-1][1]
     return ResolvedNumber(RULES[rule](first, second), f"mixing: {rule}", 2)
 
 

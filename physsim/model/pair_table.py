@@ -52,7 +52,7 @@ def can_touch(
 
 @dataclass(frozen=True)
 class Complaints:
-    """Where errors and warnings about materials go: `places` says where in the scene each material is used."""
+    """Where errors and warnings about materials go: `places` says where each material is used."""
 
     places: Mapping[str, Path]
     findings: Findings
@@ -83,7 +83,9 @@ def pair_table(
             if needed[i, j]:
                 complaints.unknown(unknown)
             continue
-        if needed[i, j] and pair.assumed:
+        if pair.assumed:
+            if not needed[i, j]:
+                continue
             complaints.assumed(pair)
         source[i][j] = source[j][i] = pair.source
         for number, matrix in table.items():

@@ -47,25 +47,23 @@ def test_order_of_two_materials_does_not_matter(physsim) -> None:
         assert one["pairs"][0][name] == other["pairs"][0][name]
 
 
-def test_a_number_that_nobody_knows_is_said_so_and_the_others_are_shown(physsim, monkeypatch) -> None:
+def test_where_one_material_has_no_number_the_other_s_is_taken(physsim, monkeypatch) -> None:
     steel = library.material("steel")
     bare = replace(steel, name="bare", restitution=None)
     monkeypatch.setattr(library, "_materials", lambda: {"steel": steel, "bare": bare})
     told = physsim("materials", "bare", "steel").out
-    assert "restitution: not known: is not given for 'bare'" in told
+    assert f"restitution: {steel.restitution.value:.4g}\n    mixing: only 'steel' has a number" in told
     assert f"kinetic_friction: {steel.kinetic_friction.value:.4g}\n    mixing: geometric_mean" in told
-    pair = json.loads(physsim("materials", "bare", "steel", "--json").out)["pairs"][0]
-    assert pair["restitution"] == {"value": None, "source": None, "missing": "is not given for 'bare'"}
 
 
 def test_friction_that_nobody_knows_is_said_so(physsim, monkeypatch) -> None:
-    steel = library.material("steel")
-    bare = replace(steel, name="bare", static_friction=None, kinetic_friction=None)
-    monkeypatch.setattr(library, "_materials", lambda: {"steel": steel, "bare": bare})
-    told = physsim("materials", "bare", "steel").out
-    assert "  static_friction: not known" in told
-    assert "  kinetic_friction: not known" in told
-    assert f"  restitution: {steel.restitution.value:.4g}\n" in told
+    bare = replace(library.material("steel"), name="bare", static_friction=None, kinetic_friction=None)
+    other = replace(bare, name="other")
+    monkeypatch.setattr(library, "_materials", lambda: {"other": other, "bare": bare})
+    told = physsim("materials", "bare", "other").out
+    assert "  static_friction: 0\n    assumed 0: is not given for 'bare' and 'other'" in told
+    pair = json.loads(physsim("materials", "bare", "other", "--json").out)["pairs"][0]
+    assert pair["assumed"] == ["static_friction", "kinetic_friction"]
 
 
 def test_unknown_material_is_wrong_usage_with_the_nearest_name(physsim) -> None:

@@ -105,20 +105,24 @@ def test_static_friction_is_never_below_kinetic() -> None:
     assert pair.static_friction.source.endswith("raised to kinetic_friction")
 
 
-def test_what_cannot_be_known_is_named() -> None:
-    with pytest.raises(UnknownPair) as raised:
-        resolve_pair("ice", "golf_ball", {}, [], Mixing())
-    assert raised.value.exit_code == 2
-    assert set(raised.value.missing) == set(NUMBERS)
-    assert "'ice'" in raised.value.missing["restitution"]
-    assert "'golf_ball'" in raised.value.missing["static_friction"]
-    assert raised.value.hint.startswith("declare it: pairs: [{between: [ice, golf_ball], restitution: ...")
+def test_what_nobody_knows_is_assumed_and_named() -> None:
+    pair = resolve_pair("oak", "golf_ball", {}, [], Mixing())
+    assert pair.restitution.value == 0.68
+    assert pair.restitution.source == "mixing: only 'golf_ball' has a number"
+    pair = resolve_pair("platinum", "golf_ball", {}, [], Mixing())
+    assert pair.assumed == ("static_friction", "kinetic_friction")
+    assert pair.static_friction.value == pair.kinetic_friction.value == 0
+    assert "'platinum' and 'golf_ball'" in pair.static_friction.source
+    assert pair.hint.startswith("declare it: pairs: [{between: [platinum, golf_ball], static_friction: ...")
 
 
 def test_error_refuses_to_mix() -> None:
     strict = Mixing("error", "error")
-    with pytest.raises(UnknownPair, match="mixing is 'error'"):
+    with pytest.raises(UnknownPair, match="mixing is 'error'") as raised:
         resolve_pair("steel", "rubber", {}, [], strict)
+    assert raised.value.exit_code == 2
+    assert set(raised.value.missing) == set(NUMBERS)
+    assert raised.value.hint.startswith("declare it: pairs: [{between: [steel, rubber], restitution: ...")
     assert resolve_pair("steel", "steel", {}, [], strict).restitution.value == 0.65
 
 

@@ -33,13 +33,15 @@ def test_the_table_is_symmetric_and_says_where_from() -> None:
     assert (pairs.static_friction >= pairs.kinetic_friction).all()
 
 
-def test_unknown_pairs_are_told_where_the_material_is_used() -> None:
-    (problem,) = problems("bodies:\n" + ball("a", "ice") + ball("b", "steel"))
-    assert dotted(problem.path) == "bodies.b.material"
-    assert problem.line == 5
-    assert "no restitution known between 'ice' and 'steel'" in problem.message
-    assert "is not given for 'ice'" in problem.message
-    assert problem.hint == "declare it: pairs: [{between: [ice, steel], restitution: ...}]"
+def test_assumed_numbers_are_told_where_the_material_is_used() -> None:
+    model = compiled("bodies:\n" + ball("a", "ice") + ball("b", "ice"))
+    (problem,) = model.warnings
+    assert dotted(problem.path) == "bodies.a.material"
+    assert problem.line == 4
+    assert problem.message == "no restitution known between 'ice' and 'ice', 0 is assumed"
+    assert problem.hint == "declare it: pairs: [{between: [ice, ice], restitution: ...}]"
+    assert model.pairs.restitution[0, 0] == 0
+    assert "assumed 0" in model.pairs.source[0][0]
 
 
 def test_pairs_that_never_meet_are_not_asked_for() -> None:
@@ -49,7 +51,7 @@ def test_pairs_that_never_meet_are_not_asked_for() -> None:
     assert set(sum(model.pairs.source, ())) <= {NEVER}
     assert compiled("bodies:\n" + ball("a", "ice", ", collides: false") + ball("b", "oak"))
     assert compiled("bodies:\n" + ball("a", "ice") + ball("b", "oak") + "no_contact: [[a, b]]\n")
-    assert problems("bodies:\n" + ball("a", "ice") + ball("b", "oak", fixed))
+    assert compiled("bodies:\n" + ball("a", "ice") + ball("b", "oak", fixed)).warnings
 
 
 def test_mixing_error_refuses_what_no_table_has() -> None:
