@@ -14,14 +14,14 @@ from pathlib import Path
 from typing import Any
 
 import h5py
-import numpy as np
 
 from physsim.errors import FileTrouble
 from physsim.recording import checkpoint as slots
-from physsim.recording import layout
 from physsim.recording.checkpoint import Checkpoint
-from physsim.recording.create import axis_dataset, block_frames, create_file
+from physsim.recording.create import LIBVER, block_frames, create_file
+from physsim.recording.growth import Growing
 from physsim.recording.layout import Column, Status
+from physsim.recording.pending import Pending, Rows
 from physsim.recording.safe import guarded
 from physsim.recording.space import RESERVE_BYTES, NoRoom, close_in_place, close_without_writing, room_for
 from physsim.recording.target import Target, is_being_written, plain
@@ -30,8 +30,6 @@ from physsim.recording.target import Target, is_being_written, plain
 SECONDS_BETWEEN_CHECKPOINTS = 5.0
 # ... but only when this adds such a share to the open chunk: the chunk is stored anew each time.
 LEAST_GROWTH = 0.25
-
-Rows = Mapping[str, Any]
 
 
 class Recorder:
@@ -48,16 +46,9 @@ class Recorder:
         self.path = path
         self.frames = int(file["time"].shape[0])
         self._file = file
-        self._growing = [column for column in columns if column.grows_along and column.path != "time"]
+        self._growing = Growing(file, columns)
         self._waiting = waiting
-        self._pending: dict[str, list[Any]] = {}
-        self._pending_frames = 0
-        self._pending_bytes = 0
-        self._lengths = {
-            dim: axis_dataset(file, column.group, dim).shape[0]
-            for column in self._growing
-            if (dim := column.grows_along)
-        }
+        self._pending = Pending()
         self._block = block_frames(file["body"].shape[0])
         self._last_checkpoint = time.monotonic()
 
@@ -70,10 +61,8 @@ class Recorder:
         values: the fixed datasets by path; attributes: of the root. Raises FileTrouble when it cannot be
         made.
         """
-        file = create_file(
-            target.part, columns, {**attributes, "status": "running", "status_detail": ""}, values
-        )
-        return cls(file, target.part, columns, target)
+        running = {**attributes, "status": "running", "status_detail": ""}
+        return cls(create_file(target.part, columns, running, values), target.part, columns, target)
 
     @classmethod
     def resume(
@@ -83,46 +72,36 @@ class Recorder:
 
         Raises FileTrouble when it cannot be opened for writing, or another process writes to it.
         """
-        if is_being_written(path):
-            raise FileTrouble(f"{path}: another run is writing to it")
-        try:
-            file = h5py.File(path, "r+", libver=("earliest", "v110"), locking="best-effort")
-        except (OSError, RuntimeError) as error:
-            raise FileTrouble(f"{path}: cannot be continued: {plain(error)}") from error
-        growing = [column for column in columns if column.grows_along]
-        with _told_plainly(path, file), room_for(file, _open_chunks_bytes(file, growing)), guarded(path):
+        file = _reopened(path)
+        with _told_plainly(path, file), guarded(path):
+            room = Growing(file, columns).open_chunk_bytes + RESERVE_BYTES
+        with _told_plainly(path, file), room_for(file, room), guarded(path):
             _cut(file, columns, frames, events)
-            file.attrs["status"] = "running"
-            file.attrs["status_detail"] = ""
+            file.attrs["status"], file.attrs["status_detail"] = "running", ""
             file.flush()
         return cls(file, path, columns, None if path == target.path else target)
 
     def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None:
         """One frame. frame, contacts: rows by dataset path; None for contacts when they are not recorded."""
-        number = self.frames + self._pending_frames
-        self._keep("time", frame_time)
-        self._keep("step", step)
-        for path, row in frame.items():
-            self._keep(path, row)
+        number = self.frames + self._pending.frames
         if contacts is not None:
-            self._keep_contacts(number, contacts)
-        self._pending_frames += 1
+            self._pending.add_contacts(contacts, number, self._growing.rows("contacts/frame"))
+        self._pending.add_frame({"time": frame_time, "step": step, **frame})
 
     def append_events(self, events: Rows) -> None:
         """Impacts since the last call, rows by dataset path."""
-        for path, rows in events.items():
-            self._keep(path, rows)
+        self._pending.add_rows(events)
 
     @property
     def block_is_full(self) -> bool:
         """Whether the frames in hand fill a chunk and should be written now."""
-        return self._pending_frames + self.frames % self._block >= self._block
+        return self._pending.frames + self.frames % self._block >= self._block
 
     @property
     def checkpoint_is_due(self) -> bool:
         """Whether it is time to save the engine, and the frames in hand with it."""
         waited = time.monotonic() - self._last_checkpoint
-        worth_it = self._pending_frames >= LEAST_GROWTH * (self.frames % self._block)
+        worth_it = self._pending.frames >= LEAST_GROWTH * (self.frames % self._block)
         return waited > SECONDS_BETWEEN_CHECKPOINTS and worth_it
 
     def write_block(self) -> None:
@@ -154,8 +133,7 @@ class Recorder:
                 slots.save_last(self._file, self._checkpoint(engine, step))
             for path, value in provenance.items():
                 self._file[path][()] = value
-            self._file.attrs["status"] = status
-            self._file.attrs["status_detail"] = detail
+            self._file.attrs["status"], self._file.attrs["status_detail"] = status, detail
             self._sync()
         with _told_plainly(self.path, self._file):
             self._file.close()
@@ -164,59 +142,25 @@ class Recorder:
             self._publish(self._waiting)
         return self.path
 
-    def _keep(self, path: str, rows: Any) -> None:
-        kept = np.array(rows)
-        self._pending.setdefault(path, []).append(kept)
-        self._pending_bytes += kept.nbytes
-
-    def _keep_contacts(self, number: int, contacts: Rows) -> None:
-        count = len(contacts["contacts/body_a"])
-        self._keep("contacts/frame", np.full(count, number, np.int64))
-        for path, rows in contacts.items():
-            self._keep(path, rows)
-        before = self._pending.get("contacts/offset")
-        start = int(before[-1][-1]) if before else self._lengths["contact"]
-        first = [start] if number == 0 else []
-        self._keep("contacts/offset", np.array([*first, start + count], np.int64))
-
     def _room(self, engine_bytes: int = 0) -> AbstractContextManager[None]:
-        rows = 2 * self._pending_bytes
-        return room_for(self._file, _open_chunks_bytes(self._file, self._growing) + rows + 2 * engine_bytes)
+        """Twice the rows and the engine: compression may fail to shrink, and HDF5 has its own bookkeeping."""
+        rows = 2 * (self._pending.bytes + engine_bytes)
+        return room_for(self._file, self._growing.open_chunk_bytes + rows + RESERVE_BYTES)
 
     def _commit(self) -> None:
-        """Two flushes: all but `/time`, then `/time`."""
-        for column in self._growing:
-            if rows := self._pending.get(column.path):
-                self._extend(column, rows)
+        self._growing.append_all_but_time(self._pending)
         self._file.flush()
-        if times := self._pending.get("time"):
-            self._grow(self._file["time"], np.array(times))
-            self._file.flush()
-        self.frames += self._pending_frames
-        self._pending, self._pending_frames, self._pending_bytes = {}, 0, 0
-
-    def _extend(self, column: Column, rows: list[Any]) -> None:
-        added = np.array(rows) if column.grows_along == "time" else np.concatenate(rows)
-        dataset = self._file[column.path]
-        self._grow(dataset, added)
-        dim = column.grows_along
-        if dim and dim != "time":
-            axis_dataset(self._file, column.group, dim).resize((dataset.shape[0],))
-            self._lengths[dim] = dataset.shape[0]
-
-    @staticmethod
-    def _grow(dataset: h5py.Dataset, rows: np.ndarray[Any, Any]) -> None:
-        if len(rows):
-            start = dataset.shape[0]
-            dataset.resize(start + len(rows), axis=0)
-            dataset[start:] = rows
+        self._growing.append_time(self._pending)
+        self._file.flush()
+        self.frames += self._pending.frames
+        self._pending = Pending()
 
     def _sync(self) -> None:
         self._file.flush()
         os.fsync(self._file.id.get_vfd_handle())
 
     def _checkpoint(self, engine: bytes, step: int) -> Checkpoint:
-        return Checkpoint(engine, step, self.frames, self._lengths.get("event", 0))
+        return Checkpoint(engine, step, self.frames, self._growing.rows("events/time"))
 
     def _take_free_name(self) -> None:
         if self._waiting and not self._waiting.path.exists():
@@ -225,6 +169,24 @@ class Recorder:
     def _publish(self, target: Target) -> None:
         target.publish()
         self.path, self._waiting = target.path, None
+
+
+def _reopened(path: Path) -> h5py.File:
+    if is_being_written(path):
+        raise FileTrouble(f"{path}: another run is writing to it")
+    try:
+        return h5py.File(path, "r+", libver=LIBVER, locking="best-effort")
+    except (OSError, RuntimeError) as error:
+        raise FileTrouble(f"{path}: cannot be continued: {plain(error)}") from error
+
+
+def _cut(file: h5py.File, columns: tuple[Column, ...], frames: int, events: int) -> None:
+    """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""
+    file["time"].resize(frames, axis=0)
+    file.flush()
+    contacts = int(file["contacts/offset"][frames]) if "contacts" in file else 0
+    lengths = {"time": frames, "event": events, "boundary": frames + 1, "contact": contacts}
+    Growing(file, columns).cut(lengths)
 
 
 @contextmanager
@@ -246,30 +208,3 @@ def _told_plainly(path: Path, file: h5py.File) -> Iterator[None]:
 def _writing_failed(path: Path, error: Exception) -> str:
     kept = "the frames written before are kept, --resume goes on from there"
     return f"{path}: writing failed: {plain(error)}; {kept}"
-
-
-def _open_chunks_bytes(file: h5py.File, columns: list[Column]) -> int:
-    """How much the file can grow by storing every dataset's last chunks anew, twice over, and some for HDF5
-    itself.
-    """
-    total = RESERVE_BYTES
-    for column in columns:
-        dataset = file[column.path]
-        across = -(-int(np.prod(dataset.shape[1:])) // int(np.prod(dataset.chunks[1:])))
-        total += 2 * across * int(np.prod(dataset.chunks)) * dataset.dtype.itemsize
-    return total
-
-
-def _cut(file: h5py.File, columns: tuple[Column, ...], frames: int, events: int) -> None:
-    """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""
-    growing = [column for column in columns if column.grows_along]
-    file["time"].resize(frames, axis=0)
-    file.flush()
-    lengths = {"time": frames, "event": events, "boundary": frames + 1}
-    if "contacts" in file:
-        lengths["contact"] = int(file["contacts/offset"][frames])
-    for column in growing:
-        file[column.path].resize(lengths[column.dims[0]], axis=0)
-    for group, dim in layout.bare_axes(columns):
-        if dim in lengths:
-            file[f"{group}/{dim}"].resize(lengths[dim], axis=0)

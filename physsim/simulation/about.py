@@ -8,6 +8,7 @@ import json
 import platform
 import shlex
 import sys
+from functools import cache
 from itertools import combinations_with_replacement
 from typing import TYPE_CHECKING, Any
 
@@ -79,6 +80,7 @@ def _provenance(scene: Scene, model: Model) -> dict[str, Any]:
     }
 
 
+@cache
 def _versions() -> dict[str, str]:
     versions = {"physsim": physsim.__version__, "python": platform.python_version()}
     for name in PACKAGES:
