@@ -17,8 +17,8 @@ import numpy as np
 from collision_asking import Asker
 from collision_oracle import true_depth
 from collision_shapes import SOLIDS, THINGS, Floats, Thing, engine_input, rotation, touching
-from physsim._engine import World
 
+from physsim._engine import World
 from physsim.collision import FclAnswers
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "contacts.md"
@@ -41,8 +41,11 @@ def main() -> None:
 
 
 def pair_table() -> Iterable[str]:
-    yield "| pair | `auto` | points | normal, apart | depth, apart | depth, near | depth, overlapping |"
-    yield "|---|---|---|---|---|---|---|"
+    yield (
+        "| pair | `auto` | points | normal, apart | depth, apart | depth, near | depth, overlapping "
+        "| normal of the manifold | depth of the manifold |"
+    )
+    yield "|---|---|---|---|---|---|---|---|---|"
     names = (*SOLIDS, "halfspace")
     for a, b in combinations_with_replacement(names, 2):
         if a in ("mesh", "halfspace"):
@@ -50,6 +53,7 @@ def pair_table() -> Iterable[str]:
         answered = "engine" if kernel_world(a, b) else "FCL"
         label = f"{a}, triangle of a mesh" if b == "mesh" else f"{a}, {b}"
         worst = halfspace_errors(a) if b == "halfspace" else errors(a, b)
+        worst = (*worst, *manifold_errors(a, b))
         yield f"| {label} | {answered} | {most_points(a, b)} | {' | '.join(map(text_of, worst))} |"
 
 
@@ -90,6 +94,25 @@ def halfspace_errors(a: str) -> tuple[float, float, float, float]:
             depth.append(abs(answer.depth + gap))
         worst.append(max(depth))
     return max(normal), worst[0], worst[1], worst[2]
+
+
+def manifold_errors(a: str, b: str) -> tuple[float, float]:
+    """Of what the engine makes of FCL's answer at a gap of 1 mm: the nearest point's normal and depth."""
+    arrays = engine_input([THINGS[a], THINGS[b]])
+    world, answer = World(arrays), FclAnswers(arrays)
+    rng = np.random.default_rng(45)
+    shape = Thing("box", (0.0, 0.0, 0.0)) if b == "halfspace" else THINGS[b]
+    normal, depth = [0.0], [0.0]
+    for _ in range(60):
+        pose_a, pose_b, n = touching(THINGS[a], shape, 1e-3, rng)
+        if b == "halfspace":
+            pose_b[3:] = facing(n)
+        points = world.collide_pair(0, pose_a, 1, pose_b, 2e-3, answer)
+        if len(points["depth"]):
+            nearest = int(np.argmax(points["depth"]))
+            normal.append(float(np.linalg.norm(points["normal"][nearest] - n)))
+            depth.append(abs(float(points["depth"][nearest]) + 1e-3))
+    return max(normal), max(depth)
 
 
 def facing(n: Floats) -> Floats:
