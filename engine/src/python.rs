@@ -679,6 +679,7 @@ impl PyWorld {
     }
 
     /// One pair of geoms at poses (x, y, z, w, x, y, z), apart from the scene.
+    #[allow(clippy::too_many_arguments)] // a Python signature
     #[pyo3(signature = (geom_a, pose_a, geom_b, pose_b, margin, answer = None))]
     fn collide_pair<'py>(
         &self,
