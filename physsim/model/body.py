@@ -173,7 +173,7 @@ class BodyMaker:
             if part.form.volume is None and len(parts) == 1:
                 self.findings.error(
                     path,
-                    f"needs a mass: a {part.form.method} has no volume that a density could fill",
+                    f"needs a mass: it has no volume that a density could fill ({part.form.method})",
                     hint="add mass: ...",
                 )
             elif part.form.volume is None:

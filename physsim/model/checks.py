@@ -25,7 +25,7 @@ HUGE = 100.0
 TINY = 1e-4
 """Metres; a mesh smaller than this was probably drawn in metres and scaled as millimetres."""
 
-OUT_OF_SCALE = 200.0
+OUT_OF_SCALE = 500.0
 """Ratio to the middle size of the other bodies beyond which a mesh is probably in the wrong unit."""
 
 

@@ -21,8 +21,10 @@ from physsim.model.trouble import ShapeTrouble
 MAX_TRIANGLES = 50_000
 """Qhull's triangles; a hull with more corners than half of that would take the solver's whole day."""
 
-THIN = 1e-7
-"""A point set thinner than this part of its size is flat."""
+THIN = 2e-6
+"""A point set whose spread across is below this part of its size is flat: twice the `PLANAR` of faces, or
+both sides of a foil would be one face.
+"""
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from physsim.model import polyhedron
+from physsim.model.mesh_obj import read_obj
 from physsim.model.mesh_text import geometry_only
 from physsim.model.polyhedron import IntArray
 from physsim.model.rotation import FloatArray
@@ -112,32 +113,33 @@ def _format(path: Path) -> str:
 
 def _parsed(data: bytes, file_type: str) -> tuple[FloatArray, IntArray]:
     """Vertices (V, 3) and triangles (T, 3) as the file lists them, checked for shape and index range only."""
-    import trimesh  # noqa: PLC0415  (0.3 s, needed by scenes with meshes only)
-
     try:
-        loaded = trimesh.load_mesh(
-            io.BytesIO(geometry_only(data, file_type)),
-            file_type=file_type,
-            process=False,
-            validate=False,
-            skip_materials=True,
-            resolver=None,
-        )
-        return _arrays(loaded)
+        vertices, triangles = read_obj(data) if file_type == "obj" else _by_trimesh(data, file_type)
     except ShapeTrouble:
         raise
     except MemoryError:
         raise ShapeTrouble("needs more memory than there is", key="file") from None
     except Exception as error:  # the reader raises whatever a broken file makes it trip over
         raise ShapeTrouble(f"cannot be read as {file_type.upper()}: {_one_line(error)}", key="file") from None
-
-
-def _arrays(loaded: Any) -> tuple[FloatArray, IntArray]:
-    vertices = np.array(getattr(loaded, "vertices", ()), dtype=np.float64).reshape(-1, 3)
-    triangles = np.array(getattr(loaded, "faces", ()), dtype=np.int64).reshape(-1, 3)
     if len(triangles) and (triangles.min() < 0 or triangles.max() >= len(vertices)):
         raise ShapeTrouble("names vertices that it does not have", key="file")
-    return vertices, triangles.astype(np.int32)
+    return vertices, triangles
+
+
+def _by_trimesh(data: bytes, file_type: str) -> tuple[FloatArray, IntArray]:
+    import trimesh  # noqa: PLC0415  (0.3 s, needed by scenes with meshes only)
+
+    loaded: Any = trimesh.load_mesh(
+        io.BytesIO(geometry_only(data, file_type)),
+        file_type=file_type,
+        process=False,
+        validate=False,
+        skip_materials=True,
+        resolver=None,
+    )
+    vertices = np.array(getattr(loaded, "vertices", ()), dtype=np.float64).reshape(-1, 3)
+    triangles = np.array(getattr(loaded, "faces", ()), dtype=np.int64).reshape(-1, 3)
+    return vertices, np.clip(triangles, -1, 2**31 - 1).astype(np.int32)
 
 
 def _one_line(error: Exception) -> str:

@@ -82,6 +82,15 @@ def test_a_fine_sphere_keeps_its_facets() -> None:
     assert len(hull.vertices) == len(points)
 
 
+@pytest.mark.parametrize("thickness", [1e-5, 1e-4, 1e-3])
+def test_thin_plates_keep_two_sides_and_an_edge(thickness: float) -> None:
+    """Down to 1e-5 of the size; thinner ones are refused as flat."""
+    points = np.array(fine_meshes.cylinder(0.5, thickness)(1).vertices)
+    hull = convex_hull(points)
+    check(hull, points)
+    assert sizes(hull) == [4] * 32 + [32, 32]
+
+
 def test_a_concave_mesh_gets_its_hull() -> None:
     points = np.array(trimesh.creation.torus(1.0, 0.3, major_sections=16, minor_sections=12).vertices)
     check(convex_hull(points), points)
@@ -124,7 +133,7 @@ def test_the_order_of_the_points_does_not_matter() -> None:
     ("points", "said"),
     [
         ([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "3 points"),
-        ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0.5, 0.5, 1e-12]], "one plane"),
+        ([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0.5, 0.5, 1e-7]], "one plane"),
         ([[1, 1, 1]] * 5, "one plane"),
     ],
 )

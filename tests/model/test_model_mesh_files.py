@@ -257,8 +257,8 @@ def test_out_of_scale_beside_the_other_bodies(tmp_path: Path) -> None:
     nut = "  nut: {shape: {type: mesh, file: part.stl}, material: steel}\n"
     (warning,) = compiled("bodies:\n" + ball + nut, tmp_path).warnings
     assert "times the other bodies" in warning.message
-    small = nut.replace("part.stl", "part.stl, scale: 1e-6")
-    (warning,) = compiled("bodies:\n" + ball + small, tmp_path).warnings
+    large, small = ball.replace("1 cm", "1 m"), nut.replace("part.stl", "part.stl, scale: 1e-5")
+    (warning,) = compiled("bodies:\n" + large + small, tmp_path).warnings
     assert "times smaller" in warning.message
 
 
@@ -272,6 +272,46 @@ def test_an_open_mesh_may_stand_fixed(tmp_path: Path) -> None:
     (surface,) = model.geoms.surfaces
     assert len(surface.triangles) == 12
     assert model.geoms.kind.tolist() == [9]
+
+
+# ---------------------------------------------------------------- how people write OBJ
+
+TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+COUNTED_BACK = "v {x} 0 0\nv {y} 0 0\nv {x} 1 0\nv {x} 0 1\nf -4 -2 -3\nf -4 -3 -1\nf -3 -2 -1\nf -4 -1 -2\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "volumes"),
+    [
+        (TETRAHEDRON, 1),
+        (TETRAHEDRON.replace("\n", " # remark\n"), 1),
+        (TETRAHEDRON.replace("\n", "\r\n"), 1),
+        ("\ufeff" + TETRAHEDRON, 1),
+        (TETRAHEDRON.replace("v 1 0 0", "v 1 0 0 0.5 0.5 0.5"), 1),
+        (TETRAHEDRON.replace("f 1 3 2", "f 1/7/8 3//9 \\\n 2/1"), 1),
+        ("mtllib no.mtl\no a\ng b\nusemtl c\ns off\nvn 0 0 1\nvt 0 0\n" + TETRAHEDRON, 1),
+        (COUNTED_BACK.format(x=0, y=1) + COUNTED_BACK.format(x=5, y=6), 2),
+    ],
+)
+def test_dialects_of_obj(tmp_path: Path, text: str, volumes: int) -> None:
+    """Each is one tetrahedron of volume 1/6 or two of them; indices counted back refer to the face's place."""
+    (tmp_path / "part.obj").write_bytes(text.encode())
+    model = body(mesh_body("part.obj", keys="density: 6, material: steel"), tmp_path)
+    assert model.mass[0] == pytest.approx(volumes, rel=1e-14)
+
+
+def test_polygons_become_fans(tmp_path: Path) -> None:
+    """A pyramid of height 1 on a unit square."""
+    corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n"
+    (tmp_path / "part.obj").write_text(corners + "f 1 4 3 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n")
+    model = body(mesh_body("part.obj", keys="density: 3, material: steel"), tmp_path)
+    assert model.mass[0] == pytest.approx(1)
+
+
+@pytest.mark.parametrize("line", ["v 1 2", "v a b c", "f 0 1 2", "f -9 1 2", "f 1 2 x"])
+def test_broken_lines_are_numbered(tmp_path: Path, line: str) -> None:
+    (tmp_path / "part.obj").write_text(TETRAHEDRON + line + "\n")
+    assert "line 9 is no vertex or face" in body_problem(mesh_body("part.obj"), tmp_path).message
 
 
 # ---------------------------------------------------------------- nothing else is read
