@@ -24,13 +24,15 @@ use super::{gjk, Posed};
 use crate::shape::{Hull, Shape};
 use glam::DVec3;
 
+/// A better face or crossing of lines within this angle (cosine of 15 degrees) is what was meant.
+const NEARBY: f64 = 0.966;
 /// A line this near (cosine) to a right angle with the normal is meant to be at a right angle.
 const LEVEL: f64 = 1e-3;
 const ROUNDS: usize = 40;
 /// Gap after moving A, as a share of the smaller shape: small for speed, large against rounding.
 const GAP: f64 = 0.004;
 /// Growth of s, as a share of the smaller shape, at which the climb is over.
-const CONVERGED: f64 = 1e-14;
+const CONVERGED: f64 = 1e-13;
 /// Share of the shapes' size by which a kink may lose against the climb: rounding.
 const ROUNDING: f64 = 1e-11;
 
@@ -69,29 +71,57 @@ pub(crate) fn polish(
     let given = normal.try_normalize()?;
     let scale = a.shape.bounding_radius().min(b.shape.bounding_radius());
     candidates(a, b, given, buffers);
-    let climbed = climb(a, b, given, scale, buffers);
-    let Some((separation, normal)) = best_of(a, b, &buffers.normals) else {
-        return Some(climbed);
+    let Some(kink) = best_of(a, b, &buffers.normals) else {
+        return Some(climb(a, b, given, scale, buffers));
     };
-    if separation < climbed.separation - ROUNDING * scale {
-        return Some(climbed);
+    let from_kink = || kink.unless(climb(a, b, kink.normal, scale, buffers), scale);
+    if kink.separation >= separation(a, b, given) && kink.normal.dot(given) > NEARBY {
+        return Some(from_kink());
     }
-    let again = climb(a, b, normal, scale, buffers);
-    let stays = separation >= again.separation - ROUNDING * scale;
-    Some(if stays {
-        Polished {
-            normal,
-            separation,
-            ..again
-        }
+    let climbed = climb(a, b, given, scale, buffers);
+    Some(if kink.separation > climbed.separation + ROUNDING * scale {
+        from_kink()
     } else {
-        again
+        kink.unless(climbed, scale)
     })
 }
 
-fn best_of(a: &Posed, b: &Posed, normals: &[DVec3]) -> Option<(f64, DVec3)> {
-    let rated = normals.iter().map(|n| (separation(a, b, *n), *n));
-    rated.reduce(|best, next| if next.0 > best.0 { next } else { best })
+impl Polished {
+    fn at(a: &Posed, b: &Posed, normal: DVec3) -> Self {
+        Self {
+            normal,
+            separation: separation(a, b, normal),
+            witness: None,
+        }
+    }
+
+    /// The one that separates better, this one when equal.
+    fn better(self, other: Self) -> Self {
+        if other.separation > self.separation {
+            other
+        } else {
+            self
+        }
+    }
+
+    /// This exact direction with the other's witness, unless the other separates better by more than rounding.
+    fn unless(self, climbed: Self, scale: f64) -> Self {
+        if climbed.separation > self.separation + ROUNDING * scale {
+            climbed
+        } else {
+            Self {
+                witness: climbed.witness,
+                ..self
+            }
+        }
+    }
+}
+
+fn best_of(a: &Posed, b: &Posed, normals: &[DVec3]) -> Option<Polished> {
+    normals
+        .iter()
+        .map(|n| Polished::at(a, b, *n))
+        .reduce(Polished::better)
 }
 
 /// Spheres and capsules are climbed by their cores, to which s differs by a constant: that is faster and exact.
@@ -108,11 +138,8 @@ fn climb(a: &Posed, b: &Posed, start: DVec3, scale: f64, buffers: &Buffers) -> P
         },
     );
     let skin = radius_a + radius_b;
-    let mut best = Polished {
-        normal: start,
-        separation: separation(a, b, start),
-        witness: None,
-    };
+    let mut best = Polished::at(a, b, start);
+    let mut step = DVec3::ZERO;
     for _ in 0..ROUNDS {
         let shift = (GAP * scale - best.separation - skin).max(0.0) * best.normal;
         let Some(found) = gjk::nearest(&core_a, &core_b, shift, best.normal) else {
@@ -121,22 +148,40 @@ fn climb(a: &Posed, b: &Posed, start: DVec3, scale: f64, buffers: &Buffers) -> P
         let Some(normal) = (found.p - found.q).try_normalize() else {
             break;
         };
-        let normal = levelled(a, b, normal, buffers);
-        let growth = separation(a, b, normal) - best.separation;
-        if growth < 0.0 && best.witness.is_some() {
-            break;
-        }
+        let next = Polished::at(a, b, levelled(a, b, normal, buffers)).better(best);
+        let next = extrapolated(a, b, next, best, step);
+        let growth = next.separation - best.separation;
+        step = next.normal - best.normal;
         let middle = found.p - shift + found.q + (radius_b - radius_a) * normal;
-        best.witness = Some(0.5 * middle);
-        if growth >= 0.0 {
-            best.normal = normal;
-            best.separation += growth;
-        }
+        best = Polished {
+            witness: Some(0.5 * middle),
+            ..next
+        };
         if growth < CONVERGED * scale {
             break;
         }
     }
     best
+}
+
+/// Steps of a linearly converging sequence shrink by a ratio q = |step| / |last step|; the rest of the way is
+/// q / (1 - q) steps more (Aitken 1926). Taken where it separates better.
+fn extrapolated(
+    a: &Posed,
+    b: &Posed,
+    next: Polished,
+    best: Polished,
+    last_step: DVec3,
+) -> Polished {
+    let step = next.normal - best.normal;
+    let q = step.length() / last_step.length();
+    if q.is_nan() || q > 0.95 {
+        return next;
+    }
+    match (next.normal + q / (1.0 - q) * step).try_normalize() {
+        Some(normal) => Polished::at(a, b, normal).better(next),
+        None => next,
+    }
 }
 
 /// Turned at right angles to a straight line that nearly lies so, where that separates better: along a line the maximum

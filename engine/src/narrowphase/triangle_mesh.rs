@@ -186,7 +186,8 @@ pub(crate) fn along(
 }
 
 /// The direction from the triangle to the shape; None when they are farther apart than the margin. While they overlap
-/// only directions count in which the surface lets the shape out.
+/// only directions count in which the surface lets the shape out: the triangle's own normal alone when no edge of it
+/// is convex.
 fn direction(
     a: &Posed,
     b: &PosedMesh,
@@ -199,6 +200,10 @@ fn direction(
         shape: &shape,
         pose: Pose::IDENTITY,
     };
+    if !b.mesh.has_convex_edge(triangle) {
+        let normal = b.normal(triangle);
+        return (polish::separation(a, &piece, normal) < margin).then_some(normal);
+    }
     let allowed = |normal| b.allows(triangle, normal);
     scratch.polytope_b.load(&piece);
     match a.shape {

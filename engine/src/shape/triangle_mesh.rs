@@ -40,6 +40,7 @@ pub struct TriangleMesh {
     normals: Vec<DVec3>,
     /// Far corner of the triangle across each edge; None at a border.
     opposite: Vec<[Option<u32>; 3]>,
+    convex: Vec<bool>,
     neighbours: Vec<u32>,
     neighbours_start: Vec<usize>,
     /// Equal positions have one name here, so that unmerged files know their neighbours too.
@@ -68,6 +69,7 @@ impl TriangleMesh {
             return Err("no triangle has an area".into());
         }
         let opposite = opposite(&canonical, &triangles);
+        let convex = convex(&vertices, &triangles, &normals, &opposite);
         let pairs = edge_set(&canonical, &triangles);
         let (neighbours_start, neighbours) = adjacency(vertices.len(), pairs.into_iter());
         let bounding_radius = vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
@@ -77,6 +79,7 @@ impl TriangleMesh {
             triangles,
             normals,
             opposite,
+            convex,
             neighbours,
             neighbours_start,
             canonical,
@@ -153,6 +156,11 @@ impl TriangleMesh {
             leaf.iter()
                 .filter(|&&t| Aabb::of(self.corners(t)).overlaps(aabb)),
         );
+    }
+
+    /// Whether the surface bends down, or ends, at an edge of the triangle.
+    pub fn has_convex_edge(&self, triangle: u32) -> bool {
+        self.convex.get(triangle as usize).copied().unwrap_or(true)
     }
 
     /// Whether a plane with this normal, laid on the feature, leaves the surface around it below: only then can a
@@ -245,6 +253,21 @@ fn opposite(canonical: &[u32], triangles: &[[u32; 3]]) -> Vec<[Option<u32>; 3]> 
         .iter()
         .map(|t| directed_edges(canonical, t).map(|(i, j)| far.get(&(j, i)).copied()))
         .collect()
+}
+
+fn convex(
+    vertices: &[DVec3],
+    triangles: &[[u32; 3]],
+    normals: &[DVec3],
+    opposite: &[[Option<u32>; 3]],
+) -> Vec<bool> {
+    let bends = |t: usize, corner: u32, far: Option<u32>| {
+        let Some(far) = far else { return true };
+        let d = vertices[far as usize] - vertices[corner as usize];
+        normals[t].dot(d) < -SUPPORT_TOLERANCE * d.length()
+    };
+    let any = |t: usize| (0..3).any(|k| bends(t, triangles[t][k], opposite[t][k]));
+    (0..triangles.len()).map(any).collect()
 }
 
 /// Tree of boxes, halved at the median centre along the longest side (Ericson 2005, section 6.2).
