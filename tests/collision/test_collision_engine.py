@@ -17,8 +17,8 @@ from collision_shapes import (
     random_quaternion,
     touching,
 )
-from physsim._engine import World
 
+from physsim._engine import World
 from physsim.collision import FclAnswers
 
 UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
@@ -226,6 +226,34 @@ def test_on_its_side_it_rests_on_a_line(floor: str, name: str, radius: float, ha
         assert sorted(arms[:, 1]) == pytest.approx([-half, half], abs=1e-9)
         assert arms[:, 0] == pytest.approx(0.0, abs=1e-9)
         assert points["depth"] == pytest.approx(SUNK, abs=1e-9)
+
+
+def flat_mesh() -> Thing:
+    """A square of 4 m at height 0, in 32 triangles that face up."""
+    steps = np.linspace(-2.0, 2.0, 5)
+    corners = np.array([[x, y, 0.0] for x in steps for y in steps])
+    squares = [5 * i + j for i in range(4) for j in range(4)]
+    triangles = [t for k in squares for t in ([k, k + 5, k + 6], [k, k + 6, k + 1])]
+    return Thing("mesh", (), corners, np.array(triangles, dtype=np.int32))
+
+
+@pytest.mark.parametrize("name", CONVEX)
+def test_the_triangles_of_a_flat_mesh_act_as_one_plane(name: str) -> None:
+    """No inner edge may push sideways, and the deepest point is that of a half-space."""
+    mesh, plane = Two(THINGS[name], flat_mesh()), Two(THINGS[name], THINGS["halfspace"])
+    at = np.r_[0.0, 0.0, 0.0, UPRIGHT]
+    rng = np.random.default_rng(37)
+    for _ in range(10):
+        pose = np.r_[rng.uniform(-1.0, 1.0, 2), 0.0, random_quaternion(rng)]
+        lowest = depth_along(
+            THINGS[name], pose, Thing("box", (0.0, 0.0, 0.0)), at, np.array([[0.0, 0.0, 1.0]])
+        )
+        pose[2] += lowest[0] - 1e-3
+        on_mesh, on_plane = mesh.kernel(pose, at, 1e-3), plane.kernel(pose, at, 1e-3)
+        assert on_mesh["normal"] == pytest.approx(
+            np.tile([0.0, 0.0, 1.0], (len(on_mesh["depth"]), 1)), abs=1e-6
+        )
+        assert deepest(on_mesh)[0] == pytest.approx(deepest(on_plane)[0], abs=1e-9)
 
 
 def test_overhanging_faces_meet_in_their_clipped_polygon() -> None:
