@@ -71,7 +71,9 @@ def read_mesh(path: Path) -> TriangleMesh:
     """
     data = _read_bytes(path)
     vertices, triangles = _parsed(data, _format(path))
-    _check_arrays(vertices, triangles)
+    if len(triangles) == 0:
+        raise ShapeTrouble("is empty: it holds no triangle", key="file")
+    _check_finite(vertices)
     return _cleaned(vertices, triangles, hashlib.sha256(data).hexdigest())
 
 
@@ -114,13 +116,17 @@ def _format(path: Path) -> str:
 def _parsed(data: bytes, file_type: str) -> tuple[FloatArray, IntArray]:
     """Vertices (V, 3) and triangles (T, 3) as the file lists them, checked for shape and index range only."""
     try:
-        vertices, triangles = read_obj(data) if file_type == "obj" else _by_trimesh(data, file_type)
+        if file_type == "obj":
+            vertices, triangles = read_obj(data, MAX_TRIANGLES)
+        else:
+            vertices, triangles = _by_trimesh(geometry_only(data, file_type), file_type)
     except ShapeTrouble:
         raise
     except MemoryError:
         raise ShapeTrouble("needs more memory than there is", key="file") from None
     except Exception as error:  # the reader raises whatever a broken file makes it trip over
         raise ShapeTrouble(f"cannot be read as {file_type.upper()}: {_one_line(error)}", key="file") from None
+    _check_count(triangles)
     if len(triangles) and (triangles.min() < 0 or triangles.max() >= len(vertices)):
         raise ShapeTrouble("names vertices that it does not have", key="file")
     return vertices, triangles
@@ -130,7 +136,7 @@ def _by_trimesh(data: bytes, file_type: str) -> tuple[FloatArray, IntArray]:
     import trimesh  # noqa: PLC0415  (0.3 s, needed by scenes with meshes only)
 
     loaded: Any = trimesh.load_mesh(
-        io.BytesIO(geometry_only(data, file_type)),
+        io.BytesIO(data),
         file_type=file_type,
         process=False,
         validate=False,
@@ -147,17 +153,14 @@ def _one_line(error: Exception) -> str:
     return text if len(text) <= 120 else text[:117] + "..."
 
 
-def _check_arrays(vertices: FloatArray, triangles: IntArray) -> None:
-    if len(triangles) == 0:
-        raise ShapeTrouble("is empty: it holds no triangle", key="file")
+def _check_count(triangles: IntArray) -> None:
     if len(triangles) > MAX_TRIANGLES:
         raise ShapeTrouble(
-            f"has too many triangles: {len(triangles)}",
+            "has too many triangles",
             key="file",
             allowed=f"at most {MAX_TRIANGLES}",
             hint="simplify it in the program that made it",
         )
-    _check_finite(vertices)
 
 
 def _check_finite(vertices: FloatArray) -> None:

@@ -7,6 +7,7 @@ object for each material, and would open the files that `mtllib` names.
 
 from __future__ import annotations
 
+import io
 from collections.abc import Iterator
 from itertools import pairwise
 
@@ -15,14 +16,21 @@ import numpy as np
 from physsim.model.polyhedron import IntArray
 from physsim.model.rotation import FloatArray
 
+MAX_LINE = 1_000_000
+"""Bytes; a face of so many corners is a mistake, and its words would take fifty times the memory."""
+
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 
-def read_obj(data: bytes) -> tuple[FloatArray, IntArray]:
-    """Vertices (V, 3) and triangles (T, 3), polygons cut into fans. Raises ValueError with the line."""
+def read_obj(data: bytes, most: int) -> tuple[FloatArray, IntArray]:
+    """Vertices (V, 3) and triangles (T, 3), polygons cut into fans; reading stops past `most` triangles or
+    three times as many vertices. Raises ValueError with the line.
+    """
     vertices: list[list[float]] = []
     triangles: list[tuple[int, int, int]] = []
     for number, words in _statements(data):
+        if len(triangles) > most or len(vertices) > 3 * most:
+            break
         try:
             if words[0] == b"v":
                 vertices.append(_vertex(words[1:]))
@@ -40,7 +48,9 @@ def read_obj(data: bytes) -> tuple[FloatArray, IntArray]:
 def _statements(data: bytes) -> Iterator[tuple[int, list[bytes]]]:
     """Line numbers and words of the lines `v ...` and `f ...`; a backslash continues a line, # ends it."""
     text = data.removeprefix(_BYTE_ORDER_MARK).replace(b"\r\n", b"\n").replace(b"\r", b"\n")
-    for number, line in enumerate(text.replace(b"\\\n", b" ").split(b"\n"), start=1):
+    for number, line in enumerate(io.BytesIO(text.replace(b"\\\n", b" ")), start=1):
+        if len(line) > MAX_LINE:
+            raise ValueError(f"line {number} is longer than {MAX_LINE} bytes")
         if line.lstrip()[:1] in (b"v", b"f"):
             words = line.partition(b"#")[0].split()
             if words and words[0] in (b"v", b"f"):

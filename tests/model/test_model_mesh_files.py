@@ -17,6 +17,7 @@ from small_scenes import body, body_problem, compiled
 
 from physsim.errors import dotted
 from physsim.model import mesh as mesh_room
+from physsim.model import mesh_obj, mesh_text
 from physsim.model.mesh import FORMATS, read_mesh
 from physsim.model.trouble import ShapeTrouble
 
@@ -190,12 +191,22 @@ def test_indices_beyond_the_vertices(tmp_path: Path) -> None:
     assert body_problem(mesh_body("part.obj"), tmp_path).path[-1] == "file"
 
 
-def test_too_many_triangles(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    write(tmp_path, wedge())
+@pytest.mark.parametrize("name", ["part.stl", "part.obj", "part.off"])
+def test_too_many_triangles(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    write(tmp_path, wedge(), name)
     monkeypatch.setattr(mesh_room, "MAX_TRIANGLES", 5)
-    problem = body_problem(mesh_body("part.stl"), tmp_path)
+    problem = body_problem(mesh_body(name), tmp_path)
     assert "too many triangles" in problem.message
     assert problem.allowed == "at most 5"
+
+
+@pytest.mark.parametrize(("name", "options"), [("part.off", {}), ("part.ply", {"encoding": "ascii"})])
+def test_long_texts_are_asked_for_in_binary(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, options: dict[str, Any]
+) -> None:
+    monkeypatch.setattr(mesh_text, "MAX_TEXT_BYTES", 99)
+    write(tmp_path, wedge(), name, **options)
+    assert "binary STL or PLY" in str(body_problem(mesh_body(name), tmp_path).hint)
 
 
 def test_a_count_in_the_header_does_not_make_memory(tmp_path: Path) -> None:
@@ -294,7 +305,7 @@ COUNTED_BACK = "v {x} 0 0\nv {y} 0 0\nv {x} 1 0\nv {x} 0 1\nf -4 -2 -3\nf -4 -3 
     ],
 )
 def test_dialects_of_obj(tmp_path: Path, text: str, volumes: int) -> None:
-    """Each is one tetrahedron of volume 1/6 or two of them; indices counted back refer to the face's place."""
+    """Each is one tetrahedron of volume 1/6 or two of them; indices count back from where the face stands."""
     (tmp_path / "part.obj").write_bytes(text.encode())
     model = body(mesh_body("part.obj", keys="density: 6, material: steel"), tmp_path)
     assert model.mass[0] == pytest.approx(volumes, rel=1e-14)
@@ -312,6 +323,12 @@ def test_polygons_become_fans(tmp_path: Path) -> None:
 def test_broken_lines_are_numbered(tmp_path: Path, line: str) -> None:
     (tmp_path / "part.obj").write_text(TETRAHEDRON + line + "\n")
     assert "line 9 is no vertex or face" in body_problem(mesh_body("part.obj"), tmp_path).message
+
+
+def test_endless_lines_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(mesh_obj, "MAX_LINE", 100)
+    (tmp_path / "part.obj").write_text(TETRAHEDRON + "f" + " 1 2 3" * 50)
+    assert "line 9 is longer" in body_problem(mesh_body("part.obj"), tmp_path).message
 
 
 # ---------------------------------------------------------------- nothing else is read
