@@ -89,6 +89,7 @@ def answer(arguments: Sequence[str] | None = None) -> int:
 
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Entry point of the console script."""
+    output.forgive_encodings()
     code = answer(arguments)
     outcome.leave(code)
     sys.exit(code)

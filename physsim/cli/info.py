@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import click
@@ -54,19 +55,28 @@ def command(file: str, overrides: tuple[str, ...], as_json: bool) -> None:
 def is_trajectory(path: Path) -> bool:
     """Whether the content is HDF5, or the file is still in its making (NAME.part).
 
-    Raises FileTrouble for a file that is neither that nor text.
+    Raises FileTrouble for what is no regular file, cannot be read, or is neither HDF5 nor text.
     """
-    try:
-        with path.open("rb") as file:
-            head = file.read(HEAD_BYTES)
-    except IsADirectoryError:
-        raise FileTrouble(f"{path}: is a folder; name a scene or a trajectory in it") from None
-    except FileNotFoundError:
-        if path.with_name(path.name + ".part").exists():
-            return True
-        raise FileTrouble(f"{path}: no such file") from None
-    if head.startswith(HDF5_SIGNATURE):
+    head = first_bytes(path)
+    if head is None or head.startswith(HDF5_SIGNATURE):
         return True
     if b"\0" in head:
         raise FileTrouble(f"{path}: is neither a scene (YAML text) nor a trajectory (HDF5)")
     return False
+
+
+def first_bytes(path: Path) -> bytes | None:
+    """The first bytes of a regular file; None when only its NAME.part is there. Raises FileTrouble."""
+    if path.is_dir():
+        raise FileTrouble(f"{path}: is a folder; name a scene or a trajectory in it")
+    if not path.exists():
+        if path.with_name(path.name + ".part").exists():
+            return None
+        raise FileTrouble(f"{path}: there is no such file")
+    if not path.is_file():
+        raise FileTrouble(f"{path}: is not a regular file")
+    try:
+        with path.open("rb") as file:
+            return file.read(HEAD_BYTES)
+    except OSError as error:
+        raise FileTrouble(f"{path}: {os.strerror(error.errno or 0).lower()}") from None

@@ -114,9 +114,10 @@ def overlap_facts(overlap: Overlap) -> Facts:
 def as_text(facts: Facts) -> str:
     """The whole answer for people."""
     scene = facts["scene"]
+    bodies = output.counted(len(facts["bodies"]), "body", "bodies")
     head = (
         f"{click.style(facts['file'], bold=True)}: {scene['title']}\n"
-        f"{len(facts['bodies'])} bodies; {scene['duration']:g} s in {scene['steps']} steps of "
+        f"{bodies}; {scene['duration']:g} s in {scene['steps']} steps of "
         f"{scene['timestep']:g} s, {scene['integrator']}; a frame every {scene['record_every']:g} s"
     )
     return "\n\n".join(

@@ -123,6 +123,8 @@ def show_pairs(names: Sequence[str], as_json: bool) -> None:
         for name in NUMBERS:
             known = getattr(pair, name)
             output.result(f"  {name}: {number(known.value)}\n    {known.source}")
+        if pair.assumed:
+            output.message(pair.hint)
 
 
 def resolve(a: str, b: str) -> ResolvedPair:

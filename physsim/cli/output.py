@@ -6,6 +6,7 @@ the rest is written to nowhere.
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import os
@@ -24,6 +25,18 @@ def colour_wanted() -> bool | None:
     if os.environ.get("FORCE_COLOR"):
         return True
     return False if os.environ.get("TERM") == "dumb" else None
+
+
+def forgive_encodings() -> None:
+    """Let a stream that cannot write a character (a title in Greek, say) write its number."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+
+
+def counted(number: int, one: str, many: str) -> str:
+    """`1 body`, `2 bodies`."""
+    return f"{number} {one if number == 1 else many}"
 
 
 def result(text: str) -> None:

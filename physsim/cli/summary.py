@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from physsim.cli import output
+
 if TYPE_CHECKING:
     from physsim.recording import Trajectory
     from physsim.simulation import ExpectationResult
@@ -41,7 +43,7 @@ def as_text(facts: Facts, warnings: int) -> str:
         f"{facts['frames']} frames, {facts['steps']} steps in {facts['wall_time']:.3g} s{speed}",
     ]
     if warnings:
-        lines.append(f"{warnings} warnings, see above")
+        lines.append(f"{output.counted(warnings, 'warning', 'warnings')}, see above")
     expected = facts["expectations"]
     if expected:
         held = sum(result["held"] for result in expected)

@@ -82,8 +82,10 @@ def tell(verdict: Verdict) -> None:
     if verdict.error is not None:
         output.message(verdict.error)
     if verdict.exit_code == 0:
-        count = f", {len(verdict.problems)} warnings" if verdict.problems else ""
-        output.result(f"{verdict.file}: valid ({verdict.bodies} bodies{count})")
+        facts = [output.counted(verdict.bodies or 0, "body", "bodies")]
+        if verdict.problems:
+            facts.append(output.counted(len(verdict.problems), "warning", "warnings"))
+        output.result(f"{verdict.file}: valid ({', '.join(facts)})")
 
 
 def as_data(verdict: Verdict) -> dict[str, Any]:

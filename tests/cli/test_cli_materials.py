@@ -60,8 +60,9 @@ def test_friction_that_nobody_knows_is_said_so(physsim, monkeypatch) -> None:
     bare = replace(library.material("steel"), name="bare", static_friction=None, kinetic_friction=None)
     other = replace(bare, name="other")
     monkeypatch.setattr(library, "_materials", lambda: {"other": other, "bare": bare})
-    told = physsim("materials", "bare", "other").out
-    assert "  static_friction: 0\n    assumed 0: is not given for 'bare' and 'other'" in told
+    told = physsim("materials", "bare", "other")
+    assert "  static_friction: 0\n    assumed 0: is not given for 'bare' and 'other'" in told.out
+    assert "pairs: [{between: [bare, other], static_friction: ..., kinetic_friction: ...}]" in told.err
     pair = json.loads(physsim("materials", "bare", "other", "--json").out)["pairs"][0]
     assert pair["assumed"] == ["static_friction", "kinetic_friction"]
 

@@ -14,6 +14,13 @@ from physsim.cli import output, problems
 from physsim.errors import Problem
 
 ESCAPE = "\x1b["
+TITLED = """
+physsim: 1
+title: Σίσυφος
+simulation: {duration: 1 s, timestep: 1 ms}
+bodies:
+  stone: {shape: {type: sphere, radius: 1}, mass: 1 kg, material: granite}
+"""
 
 
 def test_colours_on_a_terminal_unless_refused(tmp_path: Path) -> None:
@@ -32,6 +39,13 @@ def test_colours_on_a_terminal_unless_refused(tmp_path: Path) -> None:
 def test_no_colours_in_a_pipe_unless_wanted(process) -> None:
     assert ESCAPE not in process("materials", "steel").stdout
     assert ESCAPE in process("materials", "steel", FORCE_COLOR="1").stdout
+
+
+def test_a_stream_that_cannot_write_a_character_writes_its_number(process, tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").write_text(TITLED, encoding="utf-8")
+    done = process("info", "a.yaml", PYTHONIOENCODING="latin-1")
+    assert done.returncode == 0
+    assert "a.yaml: \\u03a3\\u03af\\u03c3\\u03c5\\u03c6\\u03bf\\u03c2" in done.stdout
 
 
 def test_the_document_holds_only_what_json_has_words_for(capsys: pytest.CaptureFixture[str]) -> None:

@@ -129,7 +129,7 @@ class TestRun:
             "run", "fall.yaml", "--set", "simulation.timestep=50 ms", "--set", "bodies.ball.velocity[0]=9"
         )
         assert "warning: bodies.ball: moves" in said.err
-        assert "1 warnings, see above" in said.out
+        assert "1 warning, see above" in said.out
 
 
 def run_and_signal(folder: Path, number: signal.Signals, *arguments: str) -> subprocess.CompletedProcess[str]:

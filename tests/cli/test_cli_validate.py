@@ -72,7 +72,7 @@ class TestValidate:
 
     def test_warnings_do_not_make_a_scene_invalid(self, physsim) -> None:
         said = physsim("validate", "deep.yaml")
-        assert (said.code, said.out) == (0, "deep.yaml: valid (2 bodies, 1 warnings)\n")
+        assert (said.code, said.out) == (0, "deep.yaml: valid (2 bodies, 1 warning)\n")
         assert "warning: bodies.ball: overlaps floor by 0.02 m at the start" in said.err
 
     def test_json_holds_every_problem_of_every_file(self, physsim) -> None:
