@@ -1,9 +1,10 @@
 """The trajectory file: its layout, the recorder that writes it, and the trajectory that reads it."""
 
 from physsim.recording.layout import recorded
-from physsim.recording.reader import BodyTrack, NotInFile, Trajectory, open_trajectory
+from physsim.recording.reader import NotInFile, Trajectory, open_trajectory
 from physsim.recording.series import Series, Table
 from physsim.recording.target import Target
+from physsim.recording.track import BodyTrack
 from physsim.recording.writer import Recorder
 
 __all__ = [

@@ -6,6 +6,7 @@ A slot is only used when its digest is right, so a kill while one is being writt
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import h5py
@@ -44,16 +45,11 @@ def save(file: h5py.File, checkpoint: Checkpoint) -> None:
     _write(file, _oldest_slot(file), checkpoint)
 
 
-def save_last(file: h5py.File, checkpoint: Checkpoint) -> None:
+def save_last(file: h5py.File, checkpoint: Checkpoint, flush: Callable[[], None]) -> None:
     """Leaves `checkpoint` in the first slot and the second empty, so that two runs of a scene end alike."""
-    if _oldest_slot(file) == SLOTS[0]:
-        _write(file, SLOTS[0], checkpoint)
-        file.flush()
-    else:
-        _write(file, SLOTS[1], checkpoint)
-        file.flush()
-        _write(file, SLOTS[0], checkpoint)
-        file.flush()
+    for slot in (SLOTS[1], SLOTS[0]) if _oldest_slot(file) == SLOTS[1] else (SLOTS[0],):
+        _write(file, slot, checkpoint)
+        flush()
     _write(file, SLOTS[1], Checkpoint(b"", -1, -1, -1))
 
 

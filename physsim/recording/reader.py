@@ -14,10 +14,9 @@ import numpy as np
 from physsim.errors import FileTrouble, PhyssimError
 from physsim.recording import layout
 from physsim.recording.checkpoint import Checkpoint, newest
-from physsim.recording.layout import Column
+from physsim.recording.contents import columns_of, find_datasets, whole_frames
 from physsim.recording.safe import (
     Damaged,
-    dataset,
     guarded,
     number_attribute,
     open_for_reading,
@@ -25,10 +24,12 @@ from physsim.recording.safe import (
 )
 from physsim.recording.series import Array, Series, Table, check_memory
 from physsim.recording.target import part_of
+from physsim.recording.track import BodyTrack
 
 if TYPE_CHECKING:
     import xarray
 
+_BODY_ROWS = ("body_a", "body_b")
 # A file that is being written can be caught between two writes: it is looked at again this often, so much
 # later.
 TRIES_WHILE_WRITTEN = 10
@@ -63,58 +64,6 @@ def open_trajectory(path: str | Path) -> Trajectory:
     return Trajectory(path, file, writing)
 
 
-class BodyTrack:
-    """One body of a trajectory: `track.position[10:20]`, `track.mass`, ..."""
-
-    def __init__(self, trajectory: Trajectory, name: str) -> None:
-        self.name = name
-        self._trajectory = trajectory
-        self._index = trajectory.index_of(name)
-
-    @property
-    def position(self) -> Series:
-        """Of the body's own origin, (T, 3) m."""
-        return self._trajectory.series("position", self._index)
-
-    @property
-    def orientation(self) -> Series:
-        """Unit quaternion (w, x, y, z), body to world, (T, 4)."""
-        return self._trajectory.series("orientation", self._index)
-
-    @property
-    def velocity(self) -> Series:
-        """Of the centre of mass, (T, 3) m/s."""
-        return self._trajectory.series("velocity", self._index)
-
-    @property
-    def angular_velocity(self) -> Series:
-        """World axes, (T, 3) rad/s."""
-        return self._trajectory.series("angular_velocity", self._index)
-
-    @property
-    def mass(self) -> float:
-        """kg; infinite for a half-space."""
-        return float(self._trajectory.values("mass")[self._index])
-
-    @property
-    def inertia(self) -> Array:
-        """About the centre of mass, body axes, (3, 3) kg m2."""
-        return np.asarray(self._trajectory.values("inertia")[self._index])
-
-    @property
-    def center_of_mass(self) -> Array:
-        """From the body's origin, body axes, (3) m."""
-        return np.asarray(self._trajectory.values("center_of_mass")[self._index])
-
-    @property
-    def material(self) -> str:
-        return str(self._trajectory.values("material")[self._index])
-
-    @property
-    def fixed(self) -> bool:
-        return bool(self._trajectory.values("fixed")[self._index])
-
-
 class Trajectory:
     """An open trajectory file. A context manager: `with open_trajectory("run.h5") as t: ...`
 
@@ -127,12 +76,11 @@ class Trajectory:
         self.path = path
         self.being_written = being_written
         self._file = file
-        self._datasets: dict[str, h5py.Dataset] = {}
         self._values: dict[str, Array] = {}
         with guarded(path):
             self._read_attributes()
-            self._find_datasets()
-            self.frames = self._whole_frames()
+            self._datasets = find_datasets(file)
+            self.frames = whole_frames(self._datasets)
             self.body_names: tuple[str, ...] = tuple(str(name) for name in self.values("body"))
             self._index = {name: index for index, name in enumerate(self.body_names)}
 
@@ -220,7 +168,7 @@ class Trajectory:
         """
         self._need_group("events")
         with guarded(self.path):
-            count = min(self._datasets[column.path].shape[0] for column in _columns_of("events"))
+            count = min(self._datasets[column.path].shape[0] for column in columns_of("events"))
             times = self._datasets["events/time"][:count]
             end = self.time[-1] if self.frames else -np.inf
             return self._rows("events", 0, int(np.searchsorted(times, end, side="right")))
@@ -244,12 +192,12 @@ class Trajectory:
     @property
     def pairs(self) -> Table:
         """The resolved coefficients of every pair of materials, with where each came from."""
-        return Table({column.name: self.values(column.path) for column in _columns_of("pairs")})
+        return Table({column.name: self.values(column.path) for column in columns_of("pairs")})
 
     @property
     def provenance(self) -> dict[str, Any]:
         """Scene text, resolved scene, mesh hashes (JSON), versions (JSON), host, command and clock times."""
-        return {column.name: self.values(column.path).item() for column in _columns_of("provenance")}
+        return {column.name: self.values(column.path).item() for column in columns_of("provenance")}
 
     def checkpoint(self) -> Checkpoint | None:
         """The newest whole checkpoint, or None."""
@@ -296,50 +244,20 @@ class Trajectory:
         if self.status not in layout.STATUSES:
             raise Damaged(f"has the status {self.status!r}, which is none of {', '.join(layout.STATUSES)}")
 
-    def _find_datasets(self) -> None:
-        for column in layout.EVERYTHING:
-            found = dataset(self._file, column)
-            if found is not None:
-                self._datasets[column.path] = found
-            elif column.group not in layout.OPTIONAL_GROUPS:
-                raise Damaged(f"has no dataset /{column.path}: the file is damaged")
-        sizes = {dim: len(labels) for dim, labels in layout.FIXED_AXES.items()}
-        sizes |= {dim: self._datasets[path].shape[0] for dim, path in _LABELLED_AXES.items()}
-        for path, found in self._datasets.items():
-            _check_lengths(layout.BY_PATH[path], found, sizes)
-        self._check_groups_whole()
-
-    def _check_groups_whole(self) -> None:
-        for group in layout.OPTIONAL_GROUPS:
-            there = [column.path in self._datasets for column in _columns_of(group)]
-            if any(there) and not all(there):
-                raise Damaged(f"/{group} is not whole: the file is damaged")
-
-    def _whole_frames(self) -> int:
-        """The length of the shortest dataset over time, less frames whose time was not written."""
-        lengths = [
-            found.shape[0] - (layout.BY_PATH[path].dims[0] == "boundary")
-            for path, found in self._datasets.items()
-            if layout.BY_PATH[path].grows_along in ("time", "boundary")
-        ]
-        times = self._datasets["time"][: max(min(lengths), 0)]
-        missing = np.flatnonzero(~np.isfinite(times))
-        return int(missing[0]) if len(missing) else len(times)
-
     def _over_time(self, path: str) -> Array:
         return np.asarray(self.series(path)[:])
 
     def _table_over_time(self, group: str) -> Table:
-        return Table({column.name: self._over_time(column.path) for column in _columns_of(group)})
+        return Table({column.name: self._over_time(column.path) for column in columns_of(group)})
 
     def _need_group(self, group: str) -> None:
-        if _columns_of(group)[0].path not in self._datasets:
+        if columns_of(group)[0].path not in self._datasets:
             switch = "contacts" if group == "events" else group
             raise NotInFile(f"{self.path}: {group} not recorded (record: {{{switch}: false}} in the scene)")
 
     def _rows(self, group: str, start: int, stop: int, leave_out: Iterable[str] = ()) -> Table:
         rows = {}
-        for column in _columns_of(group):
+        for column in columns_of(group):
             if column.path in leave_out:
                 continue
             found = self._datasets[column.path]
@@ -349,17 +267,3 @@ class Trajectory:
             data = np.asarray(found[start:stop])
             rows[column.name] = np.asarray(self.body_names)[data] if column.name in _BODY_ROWS else data
         return Table(rows)
-
-
-_BODY_ROWS = ("body_a", "body_b")
-_LABELLED_AXES = {"body": "body", "pair": "pairs/pair"}
-
-
-def _columns_of(group: str) -> list[Column]:
-    return [column for column in layout.EVERYTHING if column.group == group]
-
-
-def _check_lengths(column: Column, found: h5py.Dataset, sizes: dict[str, int]) -> None:
-    for dim, length in zip(column.dims, found.shape, strict=True):
-        if dim in sizes and length != sizes[dim]:
-            raise Damaged(f"/{column.path}: has length {length} along {dim} instead of {sizes[dim]}")

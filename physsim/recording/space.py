@@ -9,10 +9,14 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
+from physsim.recording.superblock import tell_end
+
 RESERVE_BYTES = 256 * 1024
+
+Flush = Callable[[], None]
 
 
 class NoRoom(OSError):
@@ -20,24 +24,33 @@ class NoRoom(OSError):
 
 
 @contextlib.contextmanager
-def room_for(file: Any, more_bytes: int) -> Iterator[None]:
-    """The system sets aside `more_bytes` beyond the end of an open HDF5 file; what is left over is given
-    back.
+def room_for(file: Any, more_bytes: int) -> Iterator[Flush]:
+    """The system sets aside `more_bytes` beyond the end of an open HDF5 file; what is left is given back.
 
-    The block must end with a flush. Raises NoRoom (disk full, quota, size limit) before the block is entered.
+    Gives the function that flushes: nothing else may write inside the block, which must end with it.
+    Raises NoRoom (disk full, quota, size limit) before the block is entered.
     """
     handle = file.id.get_vfd_handle()
-    _claim(handle, more_bytes)
-    yield
-    os.ftruncate(handle, file.id.get_filesize())
+    end = os.fstat(handle).st_size + more_bytes
+    _claim(handle, end)
+
+    def flush() -> None:
+        tell_end(handle, end)
+        file.flush()
+
+    yield flush
+    end = file.id.get_filesize()
+    tell_end(handle, end)
+    os.ftruncate(handle, end)
 
 
-def _claim(handle: int, more_bytes: int) -> None:
-    if not hasattr(os, "posix_fallocate"):
-        return
+def _claim(handle: int, end: int) -> None:
     size = os.fstat(handle).st_size
     try:
-        os.posix_fallocate(handle, size, more_bytes)
+        if hasattr(os, "posix_fallocate"):
+            os.posix_fallocate(handle, size, end - size)
+        else:
+            os.ftruncate(handle, end)
     except OSError as error:
         with contextlib.suppress(OSError):
             os.ftruncate(handle, size)

@@ -23,7 +23,14 @@ from physsim.recording.growth import Growing
 from physsim.recording.layout import Column, Status
 from physsim.recording.pending import Pending, Rows
 from physsim.recording.safe import guarded
-from physsim.recording.space import RESERVE_BYTES, NoRoom, close_in_place, close_without_writing, room_for
+from physsim.recording.space import (
+    RESERVE_BYTES,
+    Flush,
+    NoRoom,
+    close_in_place,
+    close_without_writing,
+    room_for,
+)
 from physsim.recording.target import Target, is_being_written, plain
 
 # A checkpoint, with the frames in hand, after this many seconds, so that a kill costs little work ...
@@ -75,10 +82,10 @@ class Recorder:
         file = _reopened(path)
         with _told_plainly(path, file), guarded(path):
             room = Growing(file, columns).open_chunk_bytes + RESERVE_BYTES
-        with _told_plainly(path, file), room_for(file, room), guarded(path):
-            _cut(file, columns, frames, events)
+        with _told_plainly(path, file), room_for(file, room) as flush, guarded(path):
+            _cut(file, columns, frames, events, flush)
             file.attrs["status"], file.attrs["status_detail"] = "running", ""
-            file.flush()
+            flush()
         return cls(file, path, columns, None if path == target.path else target)
 
     def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None:
@@ -106,16 +113,16 @@ class Recorder:
 
     def write_block(self) -> None:
         """Writes the frames in hand."""
-        with _told_plainly(self.path, self._file), self._room():
-            self._commit()
+        with _told_plainly(self.path, self._file), self._room() as flush:
+            self._commit(flush)
         self._take_free_name()
 
     def write_checkpoint(self, engine: bytes, step: int) -> None:
         """Writes the frames in hand and the engine's state after `step` steps, down to the disk itself."""
-        with _told_plainly(self.path, self._file), self._room(len(engine)):
-            self._commit()
+        with _told_plainly(self.path, self._file), self._room(len(engine)) as flush:
+            self._commit(flush)
             slots.save(self._file, self._checkpoint(engine, step))
-            self._sync()
+            self._sync(flush)
         self._last_checkpoint = time.monotonic()
         self._take_free_name()
 
@@ -127,14 +134,14 @@ class Recorder:
         engine: None leaves the checkpoints as they are (after a failure). Returns where the file is: under
         the target's name, unless a failed run with nothing but its first frame would replace an old file.
         """
-        with _told_plainly(self.path, self._file), self._room(len(engine or b"")):
-            self._commit()
+        with _told_plainly(self.path, self._file), self._room(len(engine or b"")) as flush:
+            self._commit(flush)
             if engine is not None:
-                slots.save_last(self._file, self._checkpoint(engine, step))
+                slots.save_last(self._file, self._checkpoint(engine, step), flush)
             for path, value in provenance.items():
                 self._file[path][()] = value
             self._file.attrs["status"], self._file.attrs["status_detail"] = status, detail
-            self._sync()
+            self._sync(flush)
         with _told_plainly(self.path, self._file):
             self._file.close()
         self._take_free_name()
@@ -142,21 +149,21 @@ class Recorder:
             self._publish(self._waiting)
         return self.path
 
-    def _room(self, engine_bytes: int = 0) -> AbstractContextManager[None]:
+    def _room(self, engine_bytes: int = 0) -> AbstractContextManager[Flush]:
         """Twice the rows and the engine: compression may fail to shrink, and HDF5 has its own bookkeeping."""
         rows = 2 * (self._pending.bytes + engine_bytes)
         return room_for(self._file, self._growing.open_chunk_bytes + rows + RESERVE_BYTES)
 
-    def _commit(self) -> None:
+    def _commit(self, flush: Flush) -> None:
         self._growing.append_all_but_time(self._pending)
-        self._file.flush()
+        flush()
         self._growing.append_time(self._pending)
-        self._file.flush()
+        flush()
         self.frames += self._pending.frames
         self._pending = Pending()
 
-    def _sync(self) -> None:
-        self._file.flush()
+    def _sync(self, flush: Flush) -> None:
+        flush()
         os.fsync(self._file.id.get_vfd_handle())
 
     def _checkpoint(self, engine: bytes, step: int) -> Checkpoint:
@@ -180,10 +187,10 @@ def _reopened(path: Path) -> h5py.File:
         raise FileTrouble(f"{path}: cannot be continued: {plain(error)}") from error
 
 
-def _cut(file: h5py.File, columns: tuple[Column, ...], frames: int, events: int) -> None:
+def _cut(file: h5py.File, columns: tuple[Column, ...], frames: int, events: int, flush: Flush) -> None:
     """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""
     file["time"].resize(frames, axis=0)
-    file.flush()
+    flush()
     contacts = int(file["contacts/offset"][frames]) if "contacts" in file else 0
     lengths = {"time": frames, "event": events, "boundary": frames + 1, "contact": contacts}
     Growing(file, columns).cut(lengths)

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from physsim.errors import FileTrouble, PhyssimError, Problem, RunFailed
-from physsim.recording import Recorder, Target, Trajectory, open_trajectory, recorded
+from physsim.errors import FileTrouble, PhyssimError, RunFailed
+from physsim.recording import Recorder, Trajectory, open_trajectory, recorded
 from physsim.simulation.about import fixed_values, now, root_attributes
 from physsim.simulation.expectations import check_expectations, demand
 from physsim.simulation.loop import Ending, Loop, Schedule
 from physsim.simulation.measure import Measure
 from physsim.simulation.overlaps import overlap_problems, overlaps_of
+from physsim.simulation.prepare import Prepared, Warn, prepare
 from physsim.simulation.progress import Report, Throttle
 from physsim.simulation.resume import Resumable, find_resumable
 from physsim.simulation.stop import Interrupted, StopRequest
@@ -24,9 +24,6 @@ if TYPE_CHECKING:
     from physsim.model import Model
     from physsim.recording.layout import Column, Status
     from physsim.scene import Scene
-
-Warn = Callable[[Problem], None]
-Changes = Mapping[str, Any] | list[str] | None
 
 
 def run(
@@ -56,7 +53,7 @@ def run(
     Interrupted on Ctrl-C or SIGTERM (the file is kept, status interrupted). While it runs in the main
     thread those two signals are its own.
     """
-    prepared = _prepared(scene, set, duration, output, warn)
+    prepared = prepare(scene, set, duration, output, warn)
     found = find_resumable(prepared.target, prepared.scene, prepared.model) if resume else None
     if found is None:
         _refuse_bad_target(prepared, force)
@@ -72,81 +69,7 @@ def run(
     return trajectory
 
 
-@dataclass(frozen=True)
-class _Prepared:
-    """Everything that is known before the first step."""
-
-    scene: Scene
-    model: Model
-    schedule: Schedule
-    target: Target
-    warn: Warn
-
-
-def _prepared(
-    scene: str | Path | Scene,
-    changes: Changes,
-    duration: float | str | None,
-    output: str | Path | None,
-    warn: Warn | None,
-) -> _Prepared:
-    from physsim.model import compile_scene  # noqa: PLC0415, slow to import
-
-    told = warn or _ignore
-    loaded = _loaded(scene, changes, duration, told)
-    model = compile_scene(loaded)
-    for problem in model.warnings:
-        told(problem)
-    target = Target(Path(output) if output is not None else _default_output(loaded))
-    return _Prepared(loaded, model, _schedule(loaded), target, told)
-
-
-def _loaded(
-    scene: str | Path | Scene,
-    changes: Changes,
-    duration: float | str | None,
-    warn: Warn,
-) -> Scene:
-    from physsim.scene import Scene, load_scene  # noqa: PLC0415, slow to import
-
-    if not isinstance(scene, Scene):
-        return load_scene(scene, _with_duration(changes, duration), warn)
-    if changes or duration is not None:
-        raise TypeError("`set` and `duration` change scene files; load the scene with these overrides")
-    return scene
-
-
-def _with_duration(changes: Changes, duration: float | str | None) -> Changes:
-    if duration is None:
-        return changes
-    if isinstance(changes, list):
-        return [*changes, f"simulation.duration={duration}"]
-    return {**(changes or {}), "simulation.duration": duration}
-
-
-def _ignore(problem: Problem) -> None:
-    """Where nobody listens to warnings."""
-
-
-def _default_output(scene: Scene) -> Path:
-    if scene.path is None:
-        raise FileTrouble(
-            f"{scene.name}: was not read from a file, so `output` must name the trajectory file"
-        )
-    return Path(scene.path.stem + ".h5")
-
-
-def _schedule(scene: Scene) -> Schedule:
-    simulation = scene.spec.simulation
-    return Schedule(
-        timestep=simulation.timestep,
-        steps_per_frame=scene.spec.steps_per_frame,
-        steps=simulation.steps,
-        until_rest=simulation.until == "at_rest",
-    )
-
-
-def _refuse_bad_target(prepared: _Prepared, force: bool) -> None:
+def _refuse_bad_target(prepared: Prepared, force: bool) -> None:
     prepared.target.check(force=force)
     numbers_per_body = 3 + 4 + 3 + 3
     frames = prepared.schedule.whole_frames(prepared.schedule.steps)
@@ -161,7 +84,7 @@ def _is_done(found: Resumable, schedule: Schedule) -> bool:
     return found.checkpoint.step == schedule.steps and found.status == "complete"
 
 
-def _simulate(prepared: _Prepared, found: Resumable | None, report: Throttle) -> Path:
+def _simulate(prepared: Prepared, found: Resumable | None, report: Throttle) -> Path:
     """Builds the world, runs the loop, and brings the file to its end, whatever that is. Returns the file."""
     simulated = build(prepared.model)
     recorder = _started(prepared, simulated) if found is None else _resumed(prepared, simulated, found)
@@ -183,7 +106,7 @@ def _simulate(prepared: _Prepared, found: Resumable | None, report: Throttle) ->
     return _kept(path, ending)
 
 
-def _started(prepared: _Prepared, simulated: Simulated) -> Recorder:
+def _started(prepared: Prepared, simulated: Simulated) -> Recorder:
     for problem in overlap_problems(prepared.scene, overlaps_of(simulated, prepared.model)):
         prepared.warn(problem)
     scene, model = prepared.scene, prepared.model
@@ -192,7 +115,7 @@ def _started(prepared: _Prepared, simulated: Simulated) -> Recorder:
     )
 
 
-def _resumed(prepared: _Prepared, simulated: Simulated, found: Resumable) -> Recorder:
+def _resumed(prepared: Prepared, simulated: Simulated, found: Resumable) -> Recorder:
     """The frame at the end of a shorter run is dropped when a run straight through would not have it."""
     at = found.checkpoint
     try:

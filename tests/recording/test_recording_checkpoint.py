@@ -43,7 +43,7 @@ def tear(file: h5py.File, step: int) -> None:
 
 @pytest.mark.parametrize("name", ["step", "frames", "events"])
 def test_a_torn_count_is_noticed(file: h5py.File, name: str) -> None:
-    save_last(file, at(1000))
+    save_last(file, at(1000), file.flush)
     file[f"checkpoint/a/{name}"][()] += 1
     assert newest(file) is None
 
@@ -52,7 +52,7 @@ def test_a_torn_count_is_noticed(file: h5py.File, name: str) -> None:
 def test_runs_end_alike_however_often_they_saved(file: h5py.File, saves: int) -> None:
     for step in range(saves):
         save(file, at(1000 + step))
-    save_last(file, at(2000))
+    save_last(file, at(2000), file.flush)
     assert newest(file) == at(2000)
     assert file["checkpoint/a/step"][()] == 2000
     assert file["checkpoint/b/step"][()] == -1

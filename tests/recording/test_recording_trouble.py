@@ -204,7 +204,7 @@ def test_a_failing_disk_behind_our_back(tmp_path: Path, monkeypatch: pytest.Monk
     made_up_run.feed(recorder, 0, 3)
     recorder.write_block()
     made_up_run.feed(recorder, 1, 3)
-    monkeypatch.setattr(recorder, "_commit", lambda: (_ for _ in ()).throw(OSError(errno.EIO, "x")))
+    monkeypatch.setattr(recorder, "_commit", lambda flush: (_ for _ in ()).throw(OSError(errno.EIO, "x")))
     with pytest.raises(FileTrouble, match="input/output error"):
         recorder.write_block()
     with open_trajectory(path) as trajectory:
