@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import islice
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from physsim.scene.draft import Draft, draft_of, salvaged
 from physsim.scene.overrides import Overrides, apply_overrides, told
 from physsim.scene.parameters import Parameters
 from physsim.scene.place import Places
+from physsim.scene.problems import MAX_TOLD, told_in_order
 from physsim.scene.scene import Scene
 from physsim.scene.source import read_source
 from physsim.scene.spec.reading import Reading
@@ -67,33 +69,44 @@ class _Source:
 
 def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Scene:
     overrides = overrides if overrides is None or isinstance(overrides, dict | str) else list(overrides)
-    document = read_yaml(source.text)
-    root, problems = _mapping_of(document.root, list(document.problems))
-    plain_places = Places(None, source.text)
-    problems = [plain_places.with_source(problem) for problem in problems]
+    root, problems = _root_of(source)
     if root is None:
-        raise SceneError(problems, source.name)
+        raise SceneError(told_in_order(problems), source.name)
     problems += apply_overrides(root, overrides)
     places = Places(root, source.text)
     reading = Reading(_parameters(root))
     spec, found = _validated(root, reading, places, source.folder)
-    already = {(problem.line, problem.column) for problem in problems if problem.line is not None}
-    problems += [problem for problem in found if (problem.line, problem.column) not in already]
+    problems = _once_per_place(problems, found)
     if spec is None or problems:
-        raise SceneError(_in_order(problems), source.name)
+        raise SceneError(told_in_order(problems), source.name)
     warnings = tuple(places.place(problem) for problem in _unused(spec, reading))
-    for warning in warnings if warn is not None else ():
-        warn(warning)  # type: ignore[misc]
+    if warn is not None:
+        for warning in warnings:
+            warn(warning)
     return Scene(
-        spec,
-        source.text,
-        source.name,
-        source.path,
-        source.folder or Path(),
-        told(overrides),
-        warnings,
-        places,
+        spec=spec,
+        text=source.text,
+        name=source.name,
+        path=source.path,
+        folder=source.folder or Path(),
+        overrides=told(overrides),
+        warnings=warnings,
+        places=places,
     )
+
+
+def _root_of(source: _Source) -> tuple[nodes.Mapping | None, list[Problem]]:
+    """The scene as written, and what was wrong in reading it."""
+    document = read_yaml(source.text)
+    root, problems = _mapping_of(document.root, list(document.problems))
+    places = Places(None, source.text)
+    return root, [places.with_source(problem) for problem in problems]
+
+
+def _once_per_place(first: list[Problem], then: list[Problem]) -> list[Problem]:
+    """What could not be read has no meaning that could be wrong too: one problem per place."""
+    taken = {(problem.line, problem.column) for problem in first if problem.line is not None}
+    return first + [problem for problem in then if (problem.line, problem.column) not in taken]
 
 
 def _mapping_of(
@@ -120,7 +133,7 @@ def _validated(
 ) -> tuple[SceneSpec | None, list[Problem]]:
     """The spec when its parts are right in themselves, and every problem, placed."""
     data: Any = nodes.plain(root)
-    empty = [path for path, _ in nodes.empty_places(root)]
+    empty = {path for path, _ in islice(nodes.empty_places(root), MAX_TOLD)}
     problems = [places.place(_empty(path)) for path in empty]
     spec: SceneSpec | None = None
     draft: Draft
@@ -131,7 +144,7 @@ def _validated(
         found = Translator(root, data, reading, places).problems(error)
         problems += [problem for problem in found if problem.path not in empty]
         draft = salvaged(data, reading, folder)
-    return spec, problems + [places.place(problem) for problem in all_problems(draft)]
+    return spec, problems + [places.place(problem) for problem in islice(all_problems(draft), MAX_TOLD)]
 
 
 def _empty(path: tuple[PathPart, ...]) -> Problem:
@@ -152,11 +165,6 @@ def _with_frames(spec: SceneSpec) -> SceneSpec:
 def _frame_time(wanted: float, simulation: SimulationSpec) -> float:
     """A whole number of timesteps, without the dust of the last bit (0.009, not 0.009000000000000001)."""
     return float(f"{max(1, round(wanted / simulation.timestep)) * simulation.timestep:.15g}")
-
-
-def _in_order(problems: list[Problem]) -> list[Problem]:
-    """In the order of the file, overrides last."""
-    return sorted(problems, key=lambda p: (p.line is None, p.line or 0, p.column or 0))
 
 
 def _unused(spec: SceneSpec, reading: Reading) -> list[Problem]:

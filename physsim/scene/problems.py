@@ -4,11 +4,23 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Sequence
+from dataclasses import replace
 
 from physsim.errors import Problem, dotted
 
+# More mistakes than this are counted, not told: nobody reads them, and a huge file takes minutes to tell.
+MAX_TOLD = 1000
 MAX_PATH = 160
 MAX_WIDTH = 120
+
+
+def told_in_order(problems: Sequence[Problem]) -> list[Problem]:
+    """The problems in the order of the file, those of overrides last; beyond MAX_TOLD only their number."""
+    ordered = sorted(problems, key=lambda p: (p.line is None, p.line or 0, p.column or 0))
+    if len(ordered) <= MAX_TOLD:
+        return ordered
+    rest = replace(ordered[MAX_TOLD], message=f"and {len(ordered) - MAX_TOLD} more mistakes from here on")
+    return [*ordered[:MAX_TOLD], replace(rest, given=None, allowed=None, hint=None)]
 
 
 def format_problem(problem: Problem, file: str) -> str:

@@ -13,6 +13,7 @@ from physsim.errors import PathPart, Problem
 from physsim.scene import nodes
 from physsim.scene.nodes import Mapping, Node, Scalar
 from physsim.scene.place import Places, find
+from physsim.scene.problems import MAX_TOLD
 from physsim.scene.spec.base import keys_of
 from physsim.scene.spec.reading import Reading
 from physsim.scene.spec.slip import CODE, TOLD_ELSEWHERE
@@ -38,7 +39,7 @@ class Translator:
     def problems(self, error: ValidationError) -> list[Problem]:
         """Every problem once, in the order of the file."""
         found: dict[tuple[Path, str], Problem] = {}
-        errors = error.errors(include_url=False)
+        errors = error.errors(include_url=False)[: MAX_TOLD + 1]
         wanted = self._wanted_lengths(errors)
         for details in errors:
             problem = self._problem(dict(details), wanted)

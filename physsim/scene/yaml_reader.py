@@ -17,6 +17,7 @@ import yaml
 
 from physsim.errors import PathPart, Problem
 from physsim.scene.nodes import Entry, Mapping, Node, Place, Scalar, Sequence, copied
+from physsim.scene.problems import MAX_TOLD
 from physsim.scene.scalars import meaning
 
 MAX_DEPTH = 64
@@ -225,7 +226,8 @@ class _Builder:
     def report(
         self, message: str, place: Place, given: str | None = None, ends_with: str | None = None
     ) -> None:
-        self.problems.append(self.problem(message, place, given, ends_with))
+        if len(self.problems) <= MAX_TOLD:
+            self.problems.append(self.problem(message, place, given, ends_with))
 
     def problem(
         self, message: str, place: Place, given: str | None = None, ends_with: str | None = None
