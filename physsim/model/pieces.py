@@ -92,9 +92,11 @@ def _decompose(vertices: FloatArray, triangles: IntArray) -> list[FloatArray]:
     with tempfile.TemporaryDirectory(prefix="physsim-") as folder:
         asked, answered = Path(folder) / "mesh.npz", Path(folder) / "pieces.npz"
         np.savez(asked, vertices=vertices, triangles=triangles)
-        command = [sys.executable, "-m", "physsim.model.pieces", str(asked), str(answered)]
+        command = [sys.executable, "-P", "-m", "physsim.model.pieces", str(asked), str(answered)]
         try:
-            done = subprocess.run(command, capture_output=True, timeout=TIME_LIMIT, check=False)
+            done = subprocess.run(
+                command, env=_environment(), capture_output=True, timeout=TIME_LIMIT, check=False
+            )
         except subprocess.TimeoutExpired:
             raise ShapeTrouble(
                 f"could not be cut into convex pieces in {TIME_LIMIT:g} s",
@@ -111,6 +113,12 @@ def _decompose(vertices: FloatArray, triangles: IntArray) -> list[FloatArray]:
             hint="use collision: hull",
         )
     return pieces
+
+
+def _environment() -> dict[str, str]:
+    """Ours, with the folder of this package first: `-P` keeps the working directory out of the search."""
+    here = str(Path(__file__).resolve().parents[2])
+    return {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, [here, os.environ.get("PYTHONPATH")]))}
 
 
 def _load(path: Path) -> list[FloatArray] | None:

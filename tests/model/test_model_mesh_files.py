@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import builtins
+import hashlib
 import io
 import struct
 from pathlib import Path
@@ -13,13 +14,14 @@ import pytest
 import trimesh
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from small_scenes import body, body_problem, compiled
+from small_scenes import HEAD, body, body_problem, compiled, problems
 
-from physsim.errors import dotted
+from physsim.errors import SceneError, dotted
+from physsim.model import compile_scene, mesh_obj, mesh_text
 from physsim.model import mesh as mesh_room
-from physsim.model import mesh_obj, mesh_text
 from physsim.model.mesh import FORMATS, read_mesh
 from physsim.model.trouble import ShapeTrouble
+from physsim.scene import load_scene_text
 
 STEEL = "material: steel"
 
@@ -98,8 +100,6 @@ def test_shell_and_hull_inertia(tmp_path: Path) -> None:
 
 
 def test_a_file_is_read_once_and_its_hash_told(tmp_path: Path) -> None:
-    import hashlib  # noqa: PLC0415
-
     path = write(tmp_path, wedge())
     shape = "shape: {type: mesh, file: part.stl}, material: steel"
     model = compiled(f"bodies:\n  a: {{{shape}, position: [9, 0, 0]}}\n  b: {{{shape}}}\n", tmp_path)
@@ -226,9 +226,30 @@ def test_what_is_no_mesh_is_told_in_one_line(tmp_path: Path, suffix: str) -> Non
     assert "\n" not in problem.message
 
 
-def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
-    from small_scenes import problems  # noqa: PLC0415
+def test_a_surface_that_gives_an_impossible_inertia(tmp_path: Path) -> None:
+    """A cube and, ten edges away, a slightly smaller one turned inside out: closed, and of positive volume."""
+    first, second = trimesh.creation.box((1, 1, 1)), trimesh.creation.box((0.9, 0.9, 0.9))
+    second.invert()
+    second.apply_translation((10, 0, 0))
+    write(tmp_path, trimesh.util.concatenate([first, second]), "part.obj")
+    problem = body_problem(mesh_body("part.obj"), tmp_path)
+    assert "inertia that is not positive definite" in problem.message
+    assert "cut itself" in str(problem.hint)
 
+
+def test_a_file_that_vanishes_after_the_scene_was_read(tmp_path: Path) -> None:
+    path = write(tmp_path, wedge())
+    text = HEAD + f"bodies:
+  thing: {{{mesh_body('part.stl')}}}
+"
+    scene = load_scene_text(text, folder=tmp_path)
+    path.unlink()
+    with pytest.raises(SceneError) as raised:
+        compile_scene(scene)
+    assert raised.value.problems[0].line == 4
+
+
+def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
     part = wedge()
     part.invert()
     write(tmp_path, part, "out.stl")
