@@ -227,7 +227,7 @@ def test_what_is_no_mesh_is_told_in_one_line(tmp_path: Path, suffix: str) -> Non
 
 
 def test_a_surface_that_gives_an_impossible_inertia(tmp_path: Path) -> None:
-    """A cube and, ten edges away, a slightly smaller one turned inside out: closed, and of positive volume."""
+    """A cube and, ten edges away, a smaller one turned inside out: closed, and of positive volume."""
     first, second = trimesh.creation.box((1, 1, 1)), trimesh.creation.box((0.9, 0.9, 0.9))
     second.invert()
     second.apply_translation((10, 0, 0))
@@ -239,9 +239,7 @@ def test_a_surface_that_gives_an_impossible_inertia(tmp_path: Path) -> None:
 
 def test_a_file_that_vanishes_after_the_scene_was_read(tmp_path: Path) -> None:
     path = write(tmp_path, wedge())
-    text = HEAD + f"bodies:
-  thing: {{{mesh_body('part.stl')}}}
-"
+    text = HEAD + "bodies:\n  thing: {" + mesh_body("part.stl") + "}\n"
     scene = load_scene_text(text, folder=tmp_path)
     path.unlink()
     with pytest.raises(SceneError) as raised:
