@@ -277,3 +277,74 @@ fn polished_normals_are_the_best_nearby() {
     }
     assert!(saddles <= 8, "{saddles}");
 }
+
+/// Shapes of two kinds are searched in one order, whichever comes first.
+#[test]
+fn exchanging_the_bodies_mirrors_the_manifold() {
+    let mut random = Random(33);
+    let all = shapes();
+    let pairs = (0..all.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    for (a, b) in pairs.map(|(i, j)| (&all[i], &all[j])) {
+        for _ in 0..5 {
+            let (pose_a, pose_b) = (random.pose(0.3), random.pose(0.3));
+            let normal = (pose_a.position - pose_b.position).normalize();
+            let there = from_normal(a, &pose_a, b, &pose_b, normal);
+            let back = from_normal(b, &pose_b, a, &pose_a, -normal);
+            let mirrored: Vec<_> = back
+                .iter()
+                .map(|p| ContactPoint {
+                    normal: -p.normal,
+                    ..*p
+                })
+                .collect();
+            assert_eq!(there, mirrored, "{a:?} {b:?}");
+        }
+    }
+}
+
+fn from_normal(
+    a: &Shape,
+    pose_a: &Pose,
+    b: &Shape,
+    pose_b: &Pose,
+    normal: DVec3,
+) -> Vec<ContactPoint> {
+    let mut out = Vec::new();
+    let witness = (pose_a.position + pose_b.position) * 0.5;
+    manifold(
+        a,
+        pose_a,
+        b,
+        pose_b,
+        normal,
+        witness,
+        MARGIN,
+        &mut Scratch::default(),
+        &mut out,
+    );
+    out
+}
+
+#[test]
+fn nonsense_does_not_panic() {
+    let mut all = shapes();
+    all.push(prism(48, 0.5, 0.3));
+    for (a, b) in all.iter().flat_map(|a| all.iter().map(move |b| (a, b))) {
+        for x in [f64::NAN, f64::INFINITY, 1e300, 1e-300, 0.0] {
+            let wild = Pose {
+                position: DVec3::new(x, 0.1, 0.2),
+                rotation: glam::DMat3::IDENTITY * x,
+            };
+            for (pose, normal) in [
+                (wild, DVec3::Z),
+                (at(0.1, 0.0, 0.3), DVec3::splat(x)),
+                (at(x, 0.0, 0.0), DVec3::X),
+            ] {
+                let points = from_normal(a, &pose, b, &Pose::IDENTITY, normal);
+                assert!(points
+                    .iter()
+                    .all(|p| p.position.is_finite() && p.normal.is_finite()));
+            }
+        }
+    }
+}

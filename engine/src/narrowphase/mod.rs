@@ -11,6 +11,7 @@ mod closest;
 mod features;
 mod gjk;
 mod halfspace;
+mod large_hulls;
 mod polish;
 mod polytope;
 mod reduce;
@@ -26,6 +27,9 @@ use triangle_mesh::PosedMesh;
 const ROUNDING: f64 = 1e-9;
 /// Points nearer to each other than this share of the smaller shape are one.
 const RESOLUTION: f64 = 1e-6;
+
+/// Pairs of edges from which on hulls are climbed instead of tried edge by edge.
+const MANY_PAIRS: usize = 20_000;
 
 /// One point of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -252,10 +256,15 @@ fn polytopes(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
         polytope_b,
         ..
     } = scratch;
-    if polytope_a.load(a) && polytope_b.load(b) {
-        if let Some(axis) = sat::separating_axis(polytope_a, polytope_b, sink.margin, |_| true) {
-            along(a, b, axis.normal, scratch, sink);
+    if !polytope_a.load(a) || !polytope_b.load(b) {
+        return;
+    }
+    if polytope_a.arcs.len() * polytope_b.arcs.len() > MANY_PAIRS {
+        if let Some(normal) = large_hulls::start(a, b, sink.margin) {
+            refined(a, b, normal, a.pose.position, scratch, sink);
         }
+    } else if let Some(axis) = sat::separating_axis(polytope_a, polytope_b, sink.margin, |_| true) {
+        along(a, b, axis.normal, scratch, sink);
     }
 }
 
@@ -323,6 +332,8 @@ fn overlapping_supports(a: &Posed, b: &Posed, normal: DVec3, sink: &mut Sink) {
     }
 }
 
+#[cfg(test)]
+mod kernel_tests;
 #[cfg(test)]
 mod manifold_tests;
 #[cfg(test)]

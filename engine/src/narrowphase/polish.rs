@@ -26,6 +26,8 @@ use glam::DVec3;
 
 /// A better face or crossing of lines within this angle (cosine of 15 degrees) is what was meant.
 const NEARBY: f64 = 0.966;
+/// Of hulls with more faces only those within that angle are tried.
+const MANY_FACES: usize = 64;
 /// A line this near (cosine) to a right angle with the normal is meant to be at a right angle.
 const LEVEL: f64 = 1e-3;
 const ROUNDS: usize = 40;
@@ -245,8 +247,12 @@ fn candidates(a: &Posed, b: &Posed, n: DVec3, buffers: &mut Buffers) {
 /// Appends the outward normals of flat faces on the side of a direction (world).
 fn face_normals(a: &Posed, direction: DVec3, out: &mut Vec<DVec3>) {
     let d = a.pose.inverse_direction(direction);
+    let least = match a.shape {
+        Shape::Hull(hull) if hull.faces().len() > MANY_FACES => NEARBY,
+        _ => 0.0,
+    };
     let mut add = |local: DVec3| {
-        if local.dot(d) > 0.0 {
+        if local.dot(d) > least {
             out.push(a.pose.direction(local));
         }
     };
@@ -284,7 +290,7 @@ fn lines(a: &Posed, direction: DVec3, out: &mut Vec<DVec3>) {
         .for_each(|line| *line = a.pose.direction(line.normalize_or_zero()));
 }
 
-/// Edges that leave the supporting vertex or one of its neighbours.
+/// Edges that leave the supporting vertex, and in small hulls also those that leave its neighbours.
 fn edges_near(hull: &Hull, d: DVec3, out: &mut Vec<DVec3>) {
     let vertex = |i: u32| {
         hull.vertices()
@@ -298,10 +304,12 @@ fn edges_near(hull: &Hull, d: DVec3, out: &mut Vec<DVec3>) {
     };
     for &i in hull.neighbours(first) {
         out.push(vertex(i) - top);
-        out.extend(
-            hull.neighbours(i as usize)
-                .iter()
-                .map(|&j| vertex(j) - vertex(i)),
-        );
+        if hull.faces().len() <= MANY_FACES {
+            out.extend(
+                hull.neighbours(i as usize)
+                    .iter()
+                    .map(|&j| vertex(j) - vertex(i)),
+            );
+        }
     }
 }

@@ -73,7 +73,7 @@ fn exchanging_the_bodies_mirrors_the_answer() {
 fn depth_is_the_least_overlap() {
     let mut random = Random(3);
     for (a, b) in pairs() {
-        for _ in 0..20 {
+        for _ in 0..10 {
             let (pose_a, pose_b) = (random.pose(0.45), random.pose(0.45));
             let (at_a, at_b) = (
                 Posed {

@@ -141,13 +141,13 @@ fn resolves(a: &Posed, b: &PosedMesh, other: &Way, way: &Way, scratch: &mut Scra
 }
 
 /// Triangles whose boxes reach into the box around a shape.
-pub(crate) fn nearby(a: &Posed, b: &PosedMesh, margin: f64, out: &mut Vec<u32>) {
+fn nearby(a: &Posed, b: &PosedMesh, margin: f64, out: &mut Vec<u32>) {
     let box_of_a = a.shape.aabb(&b.pose.relative(&a.pose));
     b.mesh.overlapping(&box_of_a.expanded(margin), out);
 }
 
 /// Keeps at most 32 of the points from `start` on.
-pub(crate) fn reduce_points(
+fn reduce_points(
     a: &Posed,
     points: &mut Vec<ContactPoint>,
     start: usize,
@@ -165,7 +165,7 @@ fn touch(a: &Posed, b: &PosedMesh, triangle: u32, scratch: &mut Scratch, sink: &
 }
 
 /// The contact with one triangle along a normal, or along the triangle's own where the surface does not allow that one.
-pub(crate) fn along(
+fn along(
     a: &Posed,
     b: &PosedMesh,
     triangle: u32,

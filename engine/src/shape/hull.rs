@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 
 /// A vertex may stand above a face plane by this share of the hull's size (faces merged from nearly coplanar triangles).
 const CONVEXITY_TOLERANCE: f64 = 1e-4;
+/// Up to this many vertices a full search for the farthest is faster than a climb.
+const SMALL: usize = 32;
 
 /// A convex polygon of a hull; its corners are `Hull::corners(face)`.
 #[derive(Clone, Debug)]
@@ -35,6 +37,8 @@ pub struct Hull {
     edges: Vec<Edge>,
     neighbours: Vec<u32>,
     neighbours_start: Vec<usize>,
+    /// Vertices farthest along the axes: where the search for a support starts in a large hull.
+    seeds: [usize; 6],
     center: DVec3,
     bounding_radius: f64,
 }
@@ -53,6 +57,7 @@ impl Hull {
         let edges = edges(faces)?;
         let (neighbours_start, neighbours) =
             adjacency(vertices.len(), edges.iter().map(|e| e.vertices));
+        let seeds = seeds(&vertices);
         let bounding_radius = vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
         let hull = Self {
             vertices,
@@ -61,6 +66,7 @@ impl Hull {
             edges,
             neighbours,
             neighbours_start,
+            seeds,
             center,
             bounding_radius,
         };
@@ -103,9 +109,28 @@ impl Hull {
         self.bounding_radius
     }
 
-    /// Vertex farthest along a direction; the first of equals.
+    /// Vertex farthest along a direction.
+    ///
+    /// Large hulls are climbed from neighbour to neighbour: a vertex of a convex polytope that no neighbour tops is the
+    /// farthest.
     pub fn support(&self, direction: DVec3) -> DVec3 {
-        farthest(&self.vertices, direction)
+        if self.vertices.len() <= SMALL {
+            return farthest(&self.vertices, direction);
+        }
+        let height = |i: usize| self.vertices[i].dot(direction);
+        let higher = |best: usize, i: usize| if height(i) > height(best) { i } else { best };
+        let mut top = self.seeds.into_iter().reduce(higher).unwrap_or(0);
+        loop {
+            let next = self
+                .neighbours(top)
+                .iter()
+                .map(|&i| i as usize)
+                .fold(top, higher);
+            if next == top {
+                return self.vertices[top];
+            }
+            top = next;
+        }
     }
 
     fn check_convex(&self) -> Result<(), String> {
@@ -115,7 +140,7 @@ impl Hull {
             .map(|v| v.distance(self.center))
             .fold(0.0, f64::max);
         for (i, face) in self.faces.iter().enumerate() {
-            let above = face.normal.dot(self.support(face.normal)) - face.offset;
+            let above = face.normal.dot(farthest(&self.vertices, face.normal)) - face.offset;
             if above > CONVEXITY_TOLERANCE * size {
                 return Err(format!(
                     "not convex: a vertex stands {above:.3e} m outside face {i}"
@@ -141,6 +166,14 @@ pub(crate) fn farthest(points: &[DVec3], direction: DVec3) -> DVec3 {
         }
     }
     best
+}
+
+fn seeds(vertices: &[DVec3]) -> [usize; 6] {
+    let [x, y, z] = DVec3::AXES;
+    [x, -x, y, -y, z, -z].map(|axis| {
+        let top = farthest(vertices, axis);
+        vertices.iter().position(|v| *v == top).unwrap_or(0)
+    })
 }
 
 /// Row `index` of a compressed list of lists.
