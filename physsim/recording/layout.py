@@ -3,9 +3,10 @@
 This table is the only place where the file's names stand. The writer creates its datasets from it, the reader
 checks a file against it, and `as_markdown` prints it for the documentation.
 
-Groups that a run has nothing for are absent: `/joints` and `/springs` when the scene has none, `/energy` when
-`record: {energy: false}`, `/contacts` and `/events` when `record: {contacts: false}`. `/energy/spring` and
-`/energy/work_motors` are 0 when nothing feeds them.
+Groups that a run has nothing for are absent: `/joints` and `/springs` when the scene has none, `/energy`
+when `record: {energy: false}`, `/contacts` when `record: {contacts: false}`; impacts are few, and always
+recorded.
+`/energy/spring` and `/energy/work_motors` are 0 when nothing feeds them.
 """
 
 from __future__ import annotations
@@ -257,17 +258,16 @@ _CHECKPOINT = tuple(
     )
 )
 
-_ALWAYS = (*_LABELS, *_STATE, *_BODIES, *_MOMENTUM, *_SOLVER, *_PAIRS, *_PROVENANCE, *_CHECKPOINT)
+_ALWAYS = (*_LABELS, *_STATE, *_BODIES, *_MOMENTUM, *_EVENTS, *_SOLVER, *_PAIRS, *_PROVENANCE, *_CHECKPOINT)
 
-EVERYTHING: tuple[Column, ...] = (*_ALWAYS, *_ENERGY, *_CONTACTS, *_EVENTS)
+EVERYTHING: tuple[Column, ...] = (*_ALWAYS, *_ENERGY, *_CONTACTS)
 BY_PATH = {column.path: column for column in EVERYTHING}
-OPTIONAL_GROUPS = ("energy", "contacts", "events")
+OPTIONAL_GROUPS = ("energy", "contacts")
 
 
 def recorded(*, energy: bool, contacts: bool) -> tuple[Column, ...]:
     """The datasets of a run, by what its scene's `record` asks for."""
-    touching = (*_CONTACTS, *_EVENTS) if contacts else ()
-    return (*_ALWAYS, *(_ENERGY if energy else ()), *touching)
+    return (*_ALWAYS, *(_ENERGY if energy else ()), *(_CONTACTS if contacts else ()))
 
 
 def bare_axes(columns: tuple[Column, ...]) -> Iterator[tuple[str, str]]:

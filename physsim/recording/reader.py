@@ -162,11 +162,7 @@ class Trajectory:
 
     @property
     def events(self) -> Table:
-        """Every impact in the order of time: the columns of /events, bodies by name.
-
-        Raises NotInFile when the run did not record contacts.
-        """
-        self._need_group("events")
+        """Every impact in the order of time: the columns of /events, bodies by name."""
         with guarded(self.path):
             count = min(self._datasets[column.path].shape[0] for column in columns_of("events"))
             times = self._datasets["events/time"][:count]
@@ -252,8 +248,7 @@ class Trajectory:
 
     def _need_group(self, group: str) -> None:
         if columns_of(group)[0].path not in self._datasets:
-            switch = "contacts" if group == "events" else group
-            raise NotInFile(f"{self.path}: {group} not recorded (record: {{{switch}: false}} in the scene)")
+            raise NotInFile(f"{self.path}: {group} not recorded (record: {{{group}: false}} in the scene)")
 
     def _rows(self, group: str, start: int, stop: int, leave_out: Iterable[str] = ()) -> Table:
         rows = {}

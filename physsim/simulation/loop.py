@@ -139,9 +139,7 @@ class Loop:
         return found if self.step else {path: rows[:0] for path, rows in found.items()}
 
     def _collect_events(self) -> None:
-        events = self._measure.events(self._world)
-        if self._record_contacts:
-            self._recorder.append_events(events)
+        self._recorder.append_events(self._measure.events(self._world))
 
     def _save_when_due(self) -> None:
         if self._recorder.checkpoint_is_due:

@@ -8,7 +8,7 @@ import re
 import resource
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import h5py
@@ -171,14 +171,23 @@ def test_a_heap_that_runs_in_a_circle(recorded: Callable[..., Path]) -> None:
     path = recorded()
     data = bytearray(path.read_bytes())
     assert broken_heap(path) is None
-    start = data.find(b"GCOL\x01")
-    here = start + 16
-    while data[here : here + 2] != b"\0\0":
-        here += 16 + (int.from_bytes(data[here + 8 : here + 16], "little") + 7) // 8 * 8
-    data[here + 8 : here + 16] = bytes(8)
+    heap, free_space = next(found for found in heaps_with_free_space(data))
+    data[free_space + 8 : free_space + 16] = bytes(8)
     path.write_bytes(data)
-    assert broken_heap(path) == start
+    assert broken_heap(path) == heap
     refused(path, "the texts in the file are damaged")
+
+
+def heaps_with_free_space(data: bytearray) -> Iterator[tuple[int, int]]:
+    """Where each heap begins, and where its free space does."""
+    for match in re.finditer(rb"GCOL\x01", data):
+        here = match.start() + 16
+        end = match.start() + int.from_bytes(data[match.start() + 8 : here], "little")
+        while here < end:
+            if data[here : here + 2] == b"\0\0":
+                yield match.start(), here
+                break
+            here += 16 + (int.from_bytes(data[here + 8 : here + 16], "little") + 7) // 8 * 8
 
 
 MUTANTS = 250
