@@ -168,7 +168,7 @@ def without_angle(dimension: Dimension) -> Dimension:
 
 def same(a: Dimension, b: Dimension) -> bool:
     """Whether two dimensions are equal; powers may be fractions, from roots."""
-    return all(abs(x - y) < 1e-9 for x, y in zip(a, b, strict=True))
+    return a == b or all(abs(x - y) < 1e-9 for x, y in zip(a, b, strict=True))
 
 
 def fits(given: Dimension, wanted: Dimension) -> bool:
@@ -189,6 +189,7 @@ def _power(name: str, power: float) -> str:
     return name if power == 1 else f"{name}^{power:g}"
 
 
+@lru_cache(maxsize=4096)
 def parse_measure(text: str) -> Measure:
     """Read `NUMBER` or `NUMBER UNIT`.
 

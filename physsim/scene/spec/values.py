@@ -90,8 +90,9 @@ class Number:
 
     def read(self, value: object, info: ValidationInfo) -> float:
         """The value in SI."""
-        number = value if isinstance(value, float) else in_kind(measure(value, info, self.kind), self.kind)
-        return within(number, self.bounds, self.kind)
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            return within(float(value), self.bounds, self.kind)
+        return within(in_kind(measure(value, info, self.kind), self.kind), self.bounds, self.kind)
 
 
 def measure(value: object, info: ValidationInfo, kind: Kind) -> Result:
