@@ -76,9 +76,12 @@ def command(
 
     Ctrl-C and SIGTERM end a run in good order: the file is kept and marked, and --resume goes on.
     """
+    import logging
+
     from physsim.scene import load_scene
     from physsim.simulation import check_expectations, run
 
+    logging.getLogger("physsim").setLevel(logging.ERROR if quiet else logging.WARNING)
     file = Path(target) if target is not None else Path(f"{Path(scene).stem}.h5")
     warnings = Warnings(scene, told=not quiet and not as_json)
     settings(ctx).known = {"scene": scene, "file": str(file), "warnings": warnings.data}

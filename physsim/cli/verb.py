@@ -21,6 +21,7 @@ ENVIRONMENT = [
     ("NO_COLOR", "no colours (no-color.org)"),
     ("FORCE_COLOR", "colours also where the output is not a terminal"),
     ("PHYSSIM_DEBUG", "show the traceback of an unexpected error, as --debug does"),
+    ("XDG_CACHE_HOME", "where the convex pieces of meshes are kept (physsim/pieces); else ~/.cache"),
 ]
 
 F = TypeVar("F", bound=Callable[..., Any])
