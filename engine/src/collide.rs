@@ -176,21 +176,27 @@ impl Detector {
         }
     }
 
-    /// Ask the oracle, and build whole manifolds from its normals.
+    /// Ask the oracle, and build whole manifolds from its normals. Of an exact mesh it says which triangles are near;
+    /// the contact is then that of the whole surface, whose inner edges are no edges.
     fn consult(&mut self, geoms: &[Geom], oracle: &mut dyn Oracle) -> Result<(), String> {
         self.answers.clear();
         oracle.ask(&self.queries, &mut self.answers)?;
         if self.answers.len() != self.queries.len() {
             return Err("FCL answered another number of pairs than it was asked".into());
         }
+        let mut answered = None;
         for ((query, answer), &job) in self.queries.iter().zip(&self.answers).zip(&self.asked_for) {
             let Some(answer) = answer else { continue };
+            if answered == Some(job) {
+                continue;
+            }
+            answered = Some(job);
             let (a, b) = query.geoms;
             self.points.clear();
             narrowphase::manifold(
-                &part(&geoms[a as usize].shape, query.triangles.0),
+                &geoms[a as usize].shape,
                 &query.poses.0,
-                &part(&geoms[b as usize].shape, query.triangles.1),
+                &geoms[b as usize].shape,
                 &query.poses.1,
                 answer.normal,
                 answer.position,
@@ -202,13 +208,5 @@ impl Detector {
                 .extend(self.points.iter().map(|&point| Found { job, point }));
         }
         Ok(())
-    }
-}
-
-/// The shape itself, or one triangle of an exact mesh.
-fn part(shape: &Shape, triangle: i32) -> Shape {
-    match (shape, u32::try_from(triangle)) {
-        (Shape::Mesh(mesh), Ok(t)) => Shape::Triangle(mesh.corners(t)),
-        _ => shape.clone(),
     }
 }

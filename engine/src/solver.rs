@@ -174,6 +174,7 @@ impl Solver {
         let mut iterations = 0;
         let mut best = f64::INFINITY;
         let mut patience = SWEEPS;
+        let mut passes = limits.iterations;
         loop {
             let mut residual = f64::INFINITY;
             for _ in 0..patience {
@@ -204,7 +205,7 @@ impl Solver {
                     iterations,
                 };
             }
-            self.leap(contacts, which, part, limits.tolerance / residual);
+            passes -= self.leap(contacts, which, part, passes, limits.tolerance / residual);
         }
     }
 
@@ -241,18 +242,22 @@ impl Solver {
         worst
     }
 
-    /// Solve the contacts that carry as a linear system, and bring the result back into the cones.
-    fn leap(&mut self, contacts: &mut [Contact], which: &[usize], part: Part, reduction: f64) {
+    /// Solve the contacts that carry as a linear system, and bring the result back into the cones. Returns the number
+    /// of passes over the contacts that it took, at most `budget`.
+    fn leap(
+        &mut self,
+        contacts: &mut [Contact],
+        which: &[usize],
+        part: Part,
+        budget: usize,
+        reduction: f64,
+    ) -> usize {
         let movers = &self.movers;
         let velocity = |c: &Contact| velocity_of(movers, c);
-        self.subspace.solve(
-            contacts,
-            which,
-            part,
-            movers,
-            velocity,
-            (0.1 * reduction).max(LEAP),
-        );
+        let reduction = (0.1 * reduction).max(LEAP);
+        let passes =
+            self.subspace
+                .solve(contacts, which, part, movers, velocity, (budget, reduction));
         for (slot, &k) in which.iter().enumerate() {
             let old = contacts[k].impulse;
             let new = match part {
@@ -264,6 +269,7 @@ impl Solver {
             contacts[k].impulse = new;
             self.push(&contacts[k], new - old);
         }
+        passes
     }
 
     /// The exact answer of one contact, the others held.

@@ -91,7 +91,8 @@ impl Subspace {
         self.step[slot]
     }
 
-    /// Solve until the residual is `reduction` of what it was, or the Krylov vectors run out.
+    /// Solve until the residual is `reduction` of what it was, or `budget` passes over the contacts are made, or the
+    /// Krylov vectors run out. Returns the passes made.
     pub(crate) fn solve(
         &mut self,
         contacts: &[Contact],
@@ -99,11 +100,11 @@ impl Subspace {
         part: Part,
         movers: &[Mover],
         velocity: impl Fn(&Contact) -> DVec3,
-        reduction: f64,
-    ) {
+        (budget, reduction): (usize, f64),
+    ) -> usize {
         let start = self.begin(contacts, which, part, velocity);
         let mut used = 0;
-        while start > 0.0 && used < VECTORS {
+        while start > 0.0 && used < VECTORS.min(budget) {
             self.extend_basis(contacts, which, movers, used);
             used += 1;
             if self.rhs[used].abs() <= reduction * start {
@@ -111,6 +112,7 @@ impl Subspace {
             }
         }
         self.combine(which.len(), used);
+        used
     }
 
     /// The first Krylov vector, r / |r| with r = target - u scaled. Returns |r|.
