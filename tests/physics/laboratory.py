@@ -14,7 +14,7 @@ Array = Any
 GRAVITY = 9.81
 HEAD = """
 physsim: 1
-simulation: {duration: 100 s, timestep: %r, tolerance: %r}
+simulation: {duration: 100 s, timestep: %r}
 world: {gravity: [0, 0, %r]}
 mixing: {restitution: minimum, friction: geometric_mean}
 materials:
@@ -95,7 +95,6 @@ def lab(
     e: float = 0.0,
     mu: float = 0.0,
     mu_k: float | None = None,
-    tolerance: float = 1e-6,
 ) -> Lab:
     """A scene of one material `stuff` (1000 kg/m^3, e, mu static, mu_k kinetic); `bodies` is YAML, gravity
     points down.
@@ -103,7 +102,7 @@ def lab(
     kinetic = mu if mu_k is None else mu_k
     friction = f"static_friction: {mu!r}, kinetic_friction: {kinetic!r}"
     stuff = f"stuff: {{density: 1000, restitution: {e!r}, {friction}}}"
-    return Lab(HEAD % (timestep, tolerance, -gravity, stuff) + bodies)
+    return Lab(HEAD % (timestep, -gravity, stuff) + bodies)
 
 
 def body(name: str, shape: str, **fields: Any) -> str:

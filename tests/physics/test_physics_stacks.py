@@ -55,11 +55,10 @@ def wall() -> str:
     return FLOOR + bricks
 
 
-@pytest.mark.parametrize(("timestep", "tolerance", "seconds"), [(5e-3, 1e-4, 10.0), (1e-3, 1e-6, 0.1)])
-def test_a_brick_wall_stands(timestep, tolerance, seconds):
-    """105 bricks, some 1300 contact points. Measured 7e-6 m in ten seconds with the coarse tolerance."""
-    standing = lab(wall(), mu=0.6, e=0.1, timestep=timestep, tolerance=tolerance)
-    assert drift(standing, seconds) < 1e-4
+@pytest.mark.parametrize(("timestep", "seconds"), [(2e-3, 10.0), (1e-3, 1.0)])
+def test_a_brick_wall_stands(timestep, seconds):
+    """105 bricks, some 1300 contact points. Measured 1e-6 m in ten seconds."""
+    assert drift(lab(wall(), mu=0.6, e=0.1, timestep=timestep), seconds) < 1e-4
 
 
 @pytest.mark.parametrize("timestep", [2e-3, 1e-3])
@@ -103,8 +102,8 @@ def test_bodies_that_start_in_the_floor_are_lifted_without_a_kick():
 
 
 def test_a_pyramid_of_balls_stands_by_friction():
-    """Three balls and one on top. The line from the upper contact of a lower ball to its foot must lie in both friction
-    cones: mu >= tan(s / 2) with sin s = 1 / sqrt(3), that is 0.318.
+    """Three balls and one on top. The line from a lower ball's upper contact to its foot must lie in both
+    friction cones: mu >= tan(s / 2) with sin s = 1 / sqrt(3), that is 0.318.
     """
     ring = [(0.2 / 3**0.5 * np.cos(a), 0.2 / 3**0.5 * np.sin(a), 0.1) for a in 2 * np.pi / 3 * np.arange(3)]
     top = (0, 0, 0.1 + 0.2 * (2 / 3) ** 0.5)
