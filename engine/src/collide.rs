@@ -140,6 +140,7 @@ impl Detector {
             poses: job.poses,
             margin: job.margin,
         };
+        self.triangles.clear();
         match shapes {
             (Shape::Mesh(mesh), other) => {
                 let relative = job.poses.0.relative(&job.poses.1);
