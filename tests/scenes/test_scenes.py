@@ -15,8 +15,8 @@ from physsim.simulation import check_expectations
 
 FOLDER = Path(__file__).resolve().parents[2] / "scenes"
 SCENES = sorted(FOLDER.glob("*.yaml"))
-# Between frames the integrator itself may add this part of the greatest energy: it turns free bodies with first
-# order. Measured at most 1e-3 (the wing nut).
+# Between frames the integrator itself may add this part of the greatest energy: it turns free bodies with
+# first order. Measured at most 1e-3 (the wing nut).
 INTEGRATOR = 2e-3
 
 
