@@ -12,6 +12,7 @@ pub mod integrator;
 pub mod ledger;
 pub mod math;
 pub mod model;
+mod mover;
 pub mod narrowphase;
 pub mod position;
 pub mod shape;

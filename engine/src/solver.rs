@@ -15,11 +15,12 @@
 //! check and mend the guess (subspace minimisation: Silcowitz, Niebe & Erleben 2010, "Projected Gauss-Seidel subspace
 //! minimization method for interactive rigid body dynamics", GRAPP).
 
-use glam::{DMat3, DVec3};
+use glam::DVec3;
 
 use crate::body::Body;
 use crate::contact::{Contact, Friction};
 use crate::math::length;
+use crate::mover::{velocity_of, Mover, Part};
 use crate::subspace::Subspace;
 
 /// Sweeps between two linear solves.
@@ -46,26 +47,6 @@ pub struct Limits {
     pub tolerance: f64,
 }
 
-/// What the sweeps read and write of a body, close together in memory.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Mover {
-    pub(crate) velocity: DVec3,
-    pub(crate) angular_velocity: DVec3,
-    pub(crate) inverse_mass: f64,
-    pub(crate) inverse_inertia: DMat3,
-}
-
-impl Mover {
-    fn push(&mut self, p: DVec3, r: DVec3) {
-        self.velocity += p * self.inverse_mass;
-        self.angular_velocity += self.inverse_inertia * r.cross(p);
-    }
-
-    fn velocity_at(&self, r: DVec3) -> DVec3 {
-        self.velocity + self.angular_velocity.cross(r)
-    }
-}
-
 impl Limits {
     /// A part of the sweeps.
     fn share(self, parts: usize) -> Self {
@@ -83,15 +64,6 @@ impl Report {
             iterations: self.iterations + next.iterations,
         }
     }
-}
-
-/// What is solved for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
-    /// Normal impulses, with friction held.
-    Normals,
-    /// Normal impulses and friction.
-    All,
 }
 
 /// Working memory, kept from solve to solve.
@@ -147,12 +119,7 @@ impl Solver {
 
     fn load(&mut self, bodies: &[Body], contacts: &[Contact], which: &[usize]) {
         self.movers.clear();
-        self.movers.extend(bodies.iter().map(|b| Mover {
-            velocity: b.state.velocity,
-            angular_velocity: b.angular_velocity,
-            inverse_mass: b.mass.inverse_mass,
-            inverse_inertia: b.inverse_inertia,
-        }));
+        self.movers.extend(bodies.iter().map(Mover::of));
         for &k in which {
             let contact = &contacts[k];
             if contact.impulse != DVec3::ZERO {
@@ -252,12 +219,10 @@ impl Solver {
         budget: usize,
         reduction: f64,
     ) -> usize {
-        let movers = &self.movers;
-        let velocity = |c: &Contact| velocity_of(movers, c);
         let reduction = (0.1 * reduction).max(LEAP);
-        let passes =
-            self.subspace
-                .solve(contacts, which, part, movers, velocity, (budget, reduction));
+        let passes = self
+            .subspace
+            .solve(contacts, which, part, &self.movers, (budget, reduction));
         for (slot, &k) in which.iter().enumerate() {
             let old = contacts[k].impulse;
             let new = match part {
@@ -316,12 +281,6 @@ impl Solver {
         }
         any
     }
-}
-
-/// Relative velocity of a contact along normal and tangents [m/s].
-fn velocity_of(movers: &[Mover], c: &Contact) -> DVec3 {
-    let (a, b) = (&movers[c.bodies.0], &movers[c.bodies.1]);
-    c.to_local(a.velocity_at(c.arms.0) - b.velocity_at(c.arms.1))
 }
 
 /// The tangential impulse that stops the slip, or the one on the rim of the disc that opposes the slip that is left.

@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use crate::contact::Contact;
 use crate::math::length;
-use crate::solver::{Mover, Part};
+use crate::mover::{velocity_of, Mover, Part};
 
 /// eps. What a leap leaves of an error in a motion whose eigenvalue of diag(A)^-1 A is e: eps / (eps + e). The
 /// softest motions of real scenes (many bodies high, 1000 : 1 in mass) have e about 1e-4.
@@ -99,10 +99,9 @@ impl Subspace {
         which: &[usize],
         part: Part,
         movers: &[Mover],
-        velocity: impl Fn(&Contact) -> DVec3,
         (budget, reduction): (usize, f64),
     ) -> usize {
-        let start = self.begin(contacts, which, part, velocity);
+        let start = self.begin(contacts, which, part, movers);
         let mut used = 0;
         while start > 0.0 && used < VECTORS.min(budget) {
             self.extend_basis(contacts, which, movers, used);
@@ -121,7 +120,7 @@ impl Subspace {
         contacts: &[Contact],
         which: &[usize],
         part: Part,
-        velocity: impl Fn(&Contact) -> DVec3,
+        movers: &[Mover],
     ) -> f64 {
         self.freedom.clear();
         self.columns.clear();
@@ -133,7 +132,9 @@ impl Subspace {
         for &k in which {
             let c = &contacts[k];
             let freedom = Freedom::of(c, part);
-            first.push((DVec3::X * c.target - velocity(c)) * freedom.asked * freedom.scale);
+            first.push(
+                (DVec3::X * c.target - velocity_of(movers, c)) * freedom.asked * freedom.scale,
+            );
             self.freedom.push(freedom);
         }
         let norm = dot(first, first).sqrt();
