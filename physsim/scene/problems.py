@@ -25,7 +25,7 @@ def told_in_order(problems: Sequence[Problem]) -> list[Problem]:
 
 def format_problem(problem: Problem, file: str) -> str:
     """`scene.yaml:14:7: bodies.ball.mass: must be greater than 0, got -1`, then the line and a caret."""
-    head = f"{_where(problem, file)}: {_what(problem)}"
+    head = _printable(f"{_where(problem, file)}: {_what(problem)}")
     return "\n".join([head, *_excerpt(problem)])
 
 
@@ -78,6 +78,11 @@ def _excerpt(problem: Problem) -> list[str]:
     caret = " " * sum(_width(c) for c in shown[: column - start]) + "^"
     margin = max(5, len(str(problem.line)))
     return [f"{problem.line:>{margin}} | {shown}".rstrip(), f"{'':>{margin}} | {caret}"]
+
+
+def _printable(text: str) -> str:
+    """The text without what would move the cursor, colour the terminal or turn the line around."""
+    return "".join(c if c.isprintable() else " " for c in text)
 
 
 def _width(character: str) -> int:

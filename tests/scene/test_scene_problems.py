@@ -63,6 +63,8 @@ def test_control_characters_never_reach_the_terminal() -> None:
     shown = format_problem(Problem((), "x", line=1, column=1, source_line="a\x1b[31mb\x07"), "s")
     assert "\x1b" not in shown
     assert "\x07" not in shown
+    head = format_problem(Problem(("bodies", "a\nb"), "x", given="\u202e1"), "s")
+    assert head == "s: bodies.a b: x, got  1"
 
 
 def test_a_problem_for_programs() -> None:
