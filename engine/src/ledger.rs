@@ -14,7 +14,7 @@ pub struct Ledger {
     pub lost_friction: f64,
     /// Into impacts and the normal part of contacts.
     pub lost_impact: f64,
-    /// Added by moving overlapping bodies apart.
+    /// Added by taking overlaps back.
     pub stabilization: f64,
     /// Total energy at the start.
     pub initial: f64,

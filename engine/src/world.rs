@@ -311,10 +311,14 @@ impl World {
             c.velocity_after = relative_velocity(&self.bodies, c.bodies, c.arms);
             let u = c.to_local(c.velocity_after);
             let mean = 0.5 * (*start + u);
-            self.ledger.book(
-                c.impulse.x * mean.x,
-                c.impulse.y * mean.y + c.impulse.z * mean.z,
-            );
+            self.ledger
+                .book(0.0, c.impulse.y * mean.y + c.impulse.z * mean.z);
+            // A contact that aims at parting is Baumgarte's: its work takes back an overlap.
+            if c.target > 0.0 {
+                self.ledger.stabilization += c.impulse.x * mean.x;
+            } else {
+                self.ledger.book(c.impulse.x * mean.x, 0.0);
+            }
             *gap += u.x * self.settings.timestep;
             let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
             c.sliding = loaded && length(u.y, u.z) > tolerance;
