@@ -47,5 +47,5 @@ def _refused(row: NotYet, value: Any) -> Iterator[Problem]:
         return
     entries: list[tuple[PathPart, ...]] = [(name,) for name in value] if isinstance(value, dict) else [()]
     for entry in entries:
-        works = f"{', '.join(map(str, row.works))}" if row.works else None
-        yield Problem((*row.path, *entry), f"{row.feature}: not supported yet", allowed=works)
+        works = ", ".join(map(str, row.works)) or None
+        yield Problem((*row.path, *entry), f"not supported yet: {row.feature}", allowed=works)

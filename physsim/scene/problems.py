@@ -74,7 +74,7 @@ def _excerpt(problem: Problem) -> list[str]:
         return []
     column = min(problem.column - 1, len(problem.source_line))
     start = max(0, column - MAX_WIDTH * 2 // 3) if len(problem.source_line) > MAX_WIDTH else 0
-    shown = "".join(c if c.isprintable() else " " for c in problem.source_line[start : start + MAX_WIDTH])
+    shown = _printable(problem.source_line[start : start + MAX_WIDTH])
     caret = " " * sum(_width(c) for c in shown[: column - start]) + "^"
     margin = max(5, len(str(problem.line)))
     return [f"{problem.line:>{margin}} | {shown}".rstrip(), f"{'':>{margin}} | {caret}"]
