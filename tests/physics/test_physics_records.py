@@ -67,7 +67,7 @@ def test_friction_never_exceeds_its_cone(trajectory):
 
 
 def test_sliding_friction_takes_energy(trajectory):
-    """In sliding contacts friction points against the slip, but where a second impact in the step turned it."""
+    """In sliding contacts friction opposes the slip, but where a second impact in the step turned it."""
     rows = trajectory.contacts()
     slides = (rows["sliding"] != 0) & (rows["normal_impulse"] > 1e-3)
     assert slides.sum() > 10

@@ -70,6 +70,20 @@ def test_a_light_box_holds_a_heavy_one(ratio, timestep):
     assert drift(lab(FLOOR + light + heavy, mu=0.5, timestep=timestep), 10.0) < 1e-6
 
 
+@pytest.mark.parametrize("timestep", [2e-3, 1e-3, 5e-4])
+@pytest.mark.parametrize("side", [0.4, 0.8])
+def test_what_rests_does_not_bounce(side, timestep):
+    """The same with restitution: what the solver leaves over must not be taken for an impact and thrown back.
+
+    Measured 1e-7 m, and losses of 2e-4 J where one millimetre of height is worth 10 J.
+    """
+    light = body("light", "type: box, size: [0.2, 0.2, 0.2]", mass=1, position=(0, 0, 0.1))
+    heavy = body("heavy", f"type: box, size: {[side] * 3}", mass=1000, position=(0, 0, 0.2 + side / 2))
+    stack = lab(FLOOR + light + heavy, e=0.65, mu=0.6, timestep=timestep)
+    assert drift(stack, 5.0) < 1e-6
+    assert abs(stack.world.energies()["lost_impact"]) < 1e-2
+
+
 @pytest.mark.parametrize("ratio", [1000.0, 1e-3])
 def test_a_chain_of_boxes_of_unlike_masses_stands(ratio):
     """1, 1000, 1, 1000, 1 kg on top of one another, and the other way round. Measured 2e-7 m."""
