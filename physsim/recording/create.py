@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import h5py
 import numpy as np
 
-from physsim.errors import FileTrouble
 from physsim.recording import layout
+from physsim.recording.disk import Disk
 from physsim.recording.layout import Column
-from physsim.recording.target import plain
 
 # HDF5 1.8 and later read this; "latest" would be read by HDF5 2.0 only.
 LIBVER = ("earliest", "v110")
@@ -28,20 +26,15 @@ _BARE_AXIS = "This is a netCDF dimension but not a netCDF variable."
 _NUMPY_KINDS = {"f8": np.float64, "i8": np.int64, "i4": np.int32, "i1": np.int8, "u1": np.uint8}
 
 
-def create_file(
-    path: Path, columns: tuple[Column, ...], attributes: Mapping[str, Any], values: Mapping[str, Any]
+def fill_new_file(
+    disk: Disk, columns: tuple[Column, ...], attributes: Mapping[str, Any], values: Mapping[str, Any]
 ) -> h5py.File:
-    """Creates `path` with every dataset of `columns`, fixed ones filled from `values` (by path), growing
-    ones empty.
+    """Every dataset of `columns`, fixed ones filled from `values` (by path), growing ones empty.
 
-    `attributes` go to the root. Freed room in the file is never used again ("none"): a chunk that is
-    written anew does not overwrite what the file on disk still points to, so a kill between two writes
-    loses nothing. Raises FileTrouble when the file cannot be made.
+    `attributes` go to the root. Freed room in the file is never used again ("none"): a chunk that is written
+    anew does not overwrite what the file on disk still points to, so a kill between two writes loses nothing.
     """
-    try:
-        file = h5py.File(path, "w", libver=LIBVER, fs_strategy="none", locking="best-effort")
-    except (OSError, RuntimeError) as error:
-        raise FileTrouble(f"{path}: cannot be written: {plain(error)}") from error
+    file = h5py.File(disk, "w", libver=LIBVER, fs_strategy="none")
     _set_attributes(file, attributes)
     sizes = _sizes(columns, values)
     for column in columns:

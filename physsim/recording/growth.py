@@ -13,10 +13,7 @@ from physsim.recording.pending import Pending
 
 
 class Growing:
-    """Every growing dataset of a file, with its axis.
-
-    open_chunk_bytes: how much the file grows at most when the last chunks of all are stored anew, twice over.
-    """
+    """Every growing dataset of a file, with its axis."""
 
     def __init__(self, file: h5py.File, columns: tuple[Column, ...]) -> None:
         self._columns = [column for column in columns if column.grows_along]
@@ -24,7 +21,6 @@ class Growing:
         self._axes = {
             (group, dim): axis_dataset(file, group, dim) for group, dim in layout.bare_axes(columns)
         }
-        self.open_chunk_bytes = 2 * sum(_chunk_row_bytes(dataset) for dataset in self._datasets.values())
 
     def rows(self, path: str) -> int:
         """The length of a dataset, 0 when it is not recorded."""
@@ -57,9 +53,3 @@ class Growing:
         axis = self._axes.get((column.group, column.dims[0]))
         if axis is not None:
             axis.resize(start + len(added), axis=0)
-
-
-def _chunk_row_bytes(dataset: h5py.Dataset) -> int:
-    """All chunks side by side that hold one row."""
-    across = -(-int(np.prod(dataset.shape[1:])) // int(np.prod(dataset.chunks[1:])))
-    return across * int(np.prod(dataset.chunks)) * int(dataset.dtype.itemsize)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import math
 import time
 from collections.abc import Iterable
 from pathlib import Path
@@ -193,7 +194,15 @@ class Trajectory:
     @property
     def provenance(self) -> dict[str, Any]:
         """Scene text, resolved scene, mesh hashes (JSON), versions (JSON), host, command and clock times."""
-        return {column.name: self.values(column.path).item() for column in columns_of("provenance")}
+        return {column.name: self._provenance(column.path) for column in columns_of("provenance")}
+
+    def _provenance(self, path: str) -> Any:
+        try:
+            return self.values(path).item()
+        except FileTrouble:
+            if path != "provenance/finished":
+                raise
+            return ""
 
     def checkpoint(self) -> Checkpoint | None:
         """The newest whole checkpoint, or None."""
@@ -228,17 +237,24 @@ class Trajectory:
             data = self.series(path)[:] if "time" in column.dims else self.values(path)
             attributes = {"units": column.units, "long_name": column.description}
             variables[column.name] = (column.dims, data, attributes)
-            check_memory(self.path, found.size * found.dtype.itemsize)
+            check_memory(self.path, math.prod(found.shape) * found.dtype.itemsize)
         return xarray.Dataset(variables, attrs=dict(self._file.attrs))
 
     def _read_attributes(self) -> None:
-        self.status = text_attribute(self._file, "status")
-        self.status_detail = text_attribute(self._file, "status_detail")
+        self.status = self._last_word("status") or "running"
+        self.status_detail = self._last_word("status_detail")
         self.title = text_attribute(self._file, "title")
         self.seed = number_attribute(self._file, "seed")
         self.physsim_version = text_attribute(self._file, "physsim_version")
         if self.status not in layout.STATUSES:
             raise Damaged(f"has the status {self.status!r}, which is none of {', '.join(layout.STATUSES)}")
+
+    def _last_word(self, name: str) -> str:
+        """Of a run that was killed while it wrote how it ended, that text alone may be torn: then ""."""
+        try:
+            return text_attribute(self._file, name)
+        except OSError:
+            return ""
 
     def _over_time(self, path: str) -> Array:
         return np.asarray(self.series(path)[:])
@@ -258,7 +274,7 @@ class Trajectory:
             found = self._datasets[column.path]
             if not 0 <= start <= stop <= found.shape[0]:
                 raise Damaged(f"/{column.path}: is shorter than /{group} says")
-            check_memory(self.path, (stop - start) * int(np.prod(found.shape[1:])) * found.dtype.itemsize)
+            check_memory(self.path, (stop - start) * math.prod(found.shape[1:]) * found.dtype.itemsize)
             data = np.asarray(found[start:stop])
             rows[column.name] = np.asarray(self.body_names)[data] if column.name in _BODY_ROWS else data
         return Table(rows)

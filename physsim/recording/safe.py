@@ -7,6 +7,7 @@ can hold before anything is read: a file of 1 kB can declare terabytes.
 
 from __future__ import annotations
 
+import math
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -181,10 +182,10 @@ def _check_storage(column: Column, found: h5py.Dataset, file_bytes: int) -> None
         raise Damaged(f"/{column.path}: keeps its numbers in another file, which is not followed")
     if any(number not in _FILTERS for number in filters):
         raise Damaged(f"/{column.path}: is compressed in a way that physsim does not use")
-    declared = found.size * found.dtype.itemsize
+    declared = math.prod(found.shape) * found.dtype.itemsize
     largest = file_bytes
     if found.chunks:
-        chunk_bytes = int(np.prod(found.chunks, dtype=object)) * found.dtype.itemsize
+        chunk_bytes = math.prod(found.chunks) * found.dtype.itemsize
         if chunk_bytes > MAX_CHUNK_BYTES:
             raise Damaged(f"/{column.path}: has chunks of {chunk_bytes} bytes")
         largest = MOST_COMPRESSION * file_bytes + MAX_CHUNK_BYTES

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -64,8 +65,10 @@ class Series:
         return f"<{self._dataset.name}: {self.shape} in {self.units}, not read yet>"
 
     def _read(self, start: int, stop: int) -> Array:
+        if not self._dataset:
+            raise ValueError(f"{self._path}: the trajectory is closed")
         key = slice(start, stop) if self._body is None else (slice(start, stop), self._body)
-        check_memory(self._path, (stop - start) * int(np.prod(self.shape[1:])) * self.dtype.itemsize)
+        check_memory(self._path, (stop - start) * math.prod(self.shape[1:]) * self.dtype.itemsize)
         with guarded(self._path):
             return np.asarray(self._dataset[key])
 

@@ -16,8 +16,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from physsim.errors import FileTrouble
-from physsim.recording.space import RESERVE_BYTES
 
+# What a file takes before its first frame.
+SMALLEST_BYTES = 1 << 20
 # No run measured so far compressed better than this (all bodies at rest: about 10).
 BEST_COMPRESSION = 10.0
 
@@ -55,7 +56,7 @@ class Target:
     def check_space(self, expected_bytes: int) -> None:
         """Raises FileTrouble when `expected_bytes` of numbers cannot fit, however well they compress."""
         free = shutil.disk_usage(self.path.parent).free
-        needed = int(expected_bytes / BEST_COMPRESSION) + 4 * RESERVE_BYTES
+        needed = int(expected_bytes / BEST_COMPRESSION) + SMALLEST_BYTES
         if free < needed:
             raise FileTrouble(
                 f"{self.path}: not enough room on the disk: "

@@ -6,10 +6,9 @@ always `/time`, and what it counts is whole, whenever the process is killed.
 
 from __future__ import annotations
 
-import os
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -18,20 +17,13 @@ import h5py
 from physsim.errors import FileTrouble
 from physsim.recording import checkpoint as slots
 from physsim.recording.checkpoint import Checkpoint
-from physsim.recording.create import LIBVER, block_frames, create_file
+from physsim.recording.create import LIBVER, block_frames, fill_new_file
+from physsim.recording.disk import Disk
 from physsim.recording.growth import Growing
 from physsim.recording.layout import Column, Status
 from physsim.recording.pending import Pending, Rows
 from physsim.recording.safe import guarded
-from physsim.recording.space import (
-    RESERVE_BYTES,
-    Flush,
-    NoRoom,
-    close_in_place,
-    close_without_writing,
-    room_for,
-)
-from physsim.recording.target import Target, is_being_written, plain
+from physsim.recording.target import Target, plain
 
 # A checkpoint, with the frames in hand, after this many seconds, so that a kill costs little work ...
 SECONDS_BETWEEN_CHECKPOINTS = 5.0
@@ -47,12 +39,13 @@ class Recorder:
     """
 
     def __init__(
-        self, file: h5py.File, path: Path, columns: tuple[Column, ...], waiting: Target | None
+        self, file: h5py.File, disk: Disk, path: Path, columns: tuple[Column, ...], waiting: Target | None
     ) -> None:
         """`waiting`: the target whose name the file does not have yet."""
         self.path = path
         self.frames = int(file["time"].shape[0])
         self._file = file
+        self._disk = disk
         self._growing = Growing(file, columns)
         self._waiting = waiting
         self._pending = Pending()
@@ -68,8 +61,12 @@ class Recorder:
         values: the fixed datasets by path; attributes: of the root. Raises FileTrouble when it cannot be
         made.
         """
+        try:
+            disk = Disk(target.part, create=True)
+        except OSError as error:
+            raise FileTrouble(f"{target.part}: cannot be written: {plain(error)}") from error
         running = {**attributes, "status": "running", "status_detail": ""}
-        return cls(create_file(target.part, columns, running, values), target.part, columns, target)
+        return cls(fill_new_file(disk, columns, running, values), disk, target.part, columns, target)
 
     @classmethod
     def resume(
@@ -79,14 +76,11 @@ class Recorder:
 
         Raises FileTrouble when it cannot be opened for writing, or another process writes to it.
         """
-        file = _reopened(path)
-        with _told_plainly(path, file), guarded(path):
-            room = Growing(file, columns).open_chunk_bytes + RESERVE_BYTES
-        with _told_plainly(path, file), room_for(file, room) as flush, guarded(path):
-            _cut(file, columns, frames, events, flush)
-            file.attrs["status"], file.attrs["status_detail"] = "running", ""
-            flush()
-        return cls(file, path, columns, None if path == target.path else target)
+        file, disk = _reopened(path)
+        recorder = cls(file, disk, path, columns, None if path == target.path else target)
+        with recorder._told_plainly(), guarded(path):
+            recorder._cut(frames, events)
+        return recorder
 
     def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None:
         """One frame. frame, contacts: rows by dataset path; None for contacts when they are not recorded."""
@@ -113,16 +107,17 @@ class Recorder:
 
     def write_block(self) -> None:
         """Writes the frames in hand."""
-        with _told_plainly(self.path, self._file), self._room() as flush:
-            self._commit(flush)
+        with self._told_plainly():
+            self._commit()
         self._take_free_name()
 
     def write_checkpoint(self, engine: bytes, step: int) -> None:
         """Writes the frames in hand and the engine's state after `step` steps, down to the disk itself."""
-        with _told_plainly(self.path, self._file), self._room(len(engine)) as flush:
-            self._commit(flush)
+        with self._told_plainly():
+            self._commit()
             slots.save(self._file, self._checkpoint(engine, step))
-            self._sync(flush)
+            self._flush()
+            self._disk.sync()
         self._last_checkpoint = time.monotonic()
         self._take_free_name()
 
@@ -134,37 +129,64 @@ class Recorder:
         engine: None leaves the checkpoints as they are (after a failure). Returns where the file is: under
         the target's name, unless a failed run with nothing but its first frame would replace an old file.
         """
-        with _told_plainly(self.path, self._file), self._room(len(engine or b"")) as flush:
-            self._commit(flush)
+        with self._told_plainly():
+            self._commit()
             if engine is not None:
-                slots.save_last(self._file, self._checkpoint(engine, step), flush)
+                slots.save_last(self._file, self._checkpoint(engine, step), self._flush)
             for path, value in provenance.items():
                 self._file[path][()] = value
-            self._file.attrs["status"], self._file.attrs["status_detail"] = status, detail
-            self._sync(flush)
-        with _told_plainly(self.path, self._file):
-            self._file.close()
+            _set_status(self._file, status, detail)
+            self._flush()
+            self._disk.sync()
+            self._close()
         self._take_free_name()
         if self._waiting and (status == "complete" or self.frames > 1):
             self._publish(self._waiting)
         return self.path
 
-    def _room(self, engine_bytes: int = 0) -> AbstractContextManager[Flush]:
-        """Twice the rows and the engine: compression may fail to shrink, and HDF5 has its own bookkeeping."""
-        rows = 2 * (self._pending.bytes + engine_bytes)
-        return room_for(self._file, self._growing.open_chunk_bytes + rows + RESERVE_BYTES)
-
-    def _commit(self, flush: Flush) -> None:
+    def _commit(self) -> None:
         self._growing.append_all_but_time(self._pending)
-        flush()
+        self._flush()
         self._growing.append_time(self._pending)
-        flush()
+        self._flush()
         self.frames += self._pending.frames
         self._pending = Pending()
 
-    def _sync(self, flush: Flush) -> None:
-        flush()
-        os.fsync(self._file.id.get_vfd_handle())
+    def _cut(self, frames: int, events: int) -> None:
+        """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""
+        contacts = int(self._file["contacts/offset"][frames]) if "contacts" in self._file else 0
+        self._file["time"].resize(frames, axis=0)
+        self._flush()
+        self._growing.cut({"time": frames, "event": events, "boundary": frames + 1, "contact": contacts})
+        _set_status(self._file, "running", "")
+        self._flush()
+        self.frames = frames
+
+    def _flush(self) -> None:
+        self._file.flush()
+        if self._disk.error is not None:
+            raise self._disk.error
+
+    def _close(self) -> None:
+        self._file.close()
+        self._disk.close()
+        if self._disk.error is not None:
+            raise self._disk.error
+
+    @contextmanager
+    def _told_plainly(self) -> Iterator[None]:
+        """Turns a failed write into FileTrouble, with the file closed as the last flush left it."""
+        try:
+            yield
+        except (OSError, RuntimeError, FileTrouble) as error:
+            self._disk.give_up(error)
+            with suppress(OSError, RuntimeError):
+                self._close()
+            _mark_interrupted(self.path, plain(error))
+            if isinstance(error, FileTrouble):
+                raise
+            kept = "the frames written before are kept, --resume goes on from there"
+            raise FileTrouble(f"{self.path}: writing failed: {plain(error)}; {kept}") from error
 
     def _checkpoint(self, engine: bytes, step: int) -> Checkpoint:
         return Checkpoint(engine, step, self.frames, self._growing.rows("events/time"))
@@ -178,40 +200,30 @@ class Recorder:
         self.path, self._waiting = target.path, None
 
 
-def _reopened(path: Path) -> h5py.File:
-    if is_being_written(path):
-        raise FileTrouble(f"{path}: another run is writing to it")
+def _reopened(path: Path) -> tuple[h5py.File, Disk]:
     try:
-        return h5py.File(path, "r+", libver=LIBVER, locking="best-effort")
+        disk = Disk(path, create=False)
+    except BlockingIOError as error:
+        raise FileTrouble(f"{path}: another run is writing to it") from error
+    except OSError as error:
+        raise FileTrouble(f"{path}: cannot be continued: {plain(error)}") from error
+    try:
+        return h5py.File(disk, "r+", libver=LIBVER), disk
     except (OSError, RuntimeError) as error:
+        disk.close()
         raise FileTrouble(f"{path}: cannot be continued: {plain(error)}") from error
 
 
-def _cut(file: h5py.File, columns: tuple[Column, ...], frames: int, events: int, flush: Flush) -> None:
-    """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""
-    file["time"].resize(frames, axis=0)
-    flush()
-    contacts = int(file["contacts/offset"][frames]) if "contacts" in file else 0
-    lengths = {"time": frames, "event": events, "boundary": frames + 1, "contact": contacts}
-    Growing(file, columns).cut(lengths)
+def _set_status(file: h5py.File, status: Status, detail: str) -> None:
+    """In place, so that the root's header keeps its form: another way could leave it torn by a kill."""
+    file.attrs.modify("status", status)
+    file.attrs.modify("status_detail", detail)
 
 
-@contextmanager
-def _told_plainly(path: Path, file: h5py.File) -> Iterator[None]:
-    """Turns a failed write into FileTrouble, with the file closed as the last flush left it."""
-    try:
-        yield
-    except NoRoom as error:
-        close_in_place(file, {"status": "interrupted", "status_detail": plain(error)})
-        raise FileTrouble(_writing_failed(path, error)) from error
-    except (OSError, RuntimeError) as error:
-        close_without_writing(file)
-        raise FileTrouble(_writing_failed(path, error)) from error
-    except FileTrouble:
-        close_without_writing(file)
-        raise
-
-
-def _writing_failed(path: Path, error: Exception) -> str:
-    kept = "the frames written before are kept, --resume goes on from there"
-    return f"{path}: writing failed: {plain(error)}; {kept}"
+def _mark_interrupted(path: Path, reason: str) -> None:
+    """Says in the file why it ends, where the disk still takes that much."""
+    with suppress(FileTrouble, OSError, RuntimeError):
+        file, disk = _reopened(path)
+        _set_status(file, "interrupted", reason)
+        file.close()
+        disk.close()

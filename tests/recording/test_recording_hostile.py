@@ -123,6 +123,10 @@ CASES = {
         replaced("position", shape=(HUGE, 3, 3), chunks=(64, 3, 3), dtype="f8"),
         "/position: declares 79164837199872 bytes, more than the whole file can hold",
     ),
+    "more bytes than 64 bits count": (
+        replaced("position", shape=(1 << 62, 3, 3), maxshape=(None, 3, 3), chunks=(64, 3, 3), dtype="f8"),
+        "/position: declares",
+    ),
     "terabytes of names": (
         replaced("body", shape=(HUGE,), maxshape=(None,), dtype=h5py.string_dtype()),
         "/body: declares",

@@ -58,6 +58,13 @@ def test_past_the_end_is_an_index_error(trajectory: Trajectory) -> None:
         trajectory.position[FRAMES]
 
 
+def test_after_closing(recorded: Callable[..., Path]) -> None:
+    with open_trajectory(recorded()) as trajectory:
+        position = trajectory.position
+    with pytest.raises(ValueError, match="the trajectory is closed"):
+        position[0]
+
+
 def test_a_slice_reads_only_what_it_needs(trajectory: Trajectory, monkeypatch: pytest.MonkeyPatch) -> None:
     asked = []
     monkeypatch.setattr(series, "check_memory", lambda path, needed: asked.append(needed))

@@ -13,7 +13,7 @@ import made_up_run
 import pytest
 
 from physsim.errors import FileTrouble
-from physsim.recording import Recorder, Target, open_trajectory, target
+from physsim.recording import Recorder, Target, disk, open_trajectory, target
 
 
 def check(path: Path, force: bool = False) -> None:
@@ -197,15 +197,20 @@ def test_a_size_limit(tmp_path: Path) -> None:
     check_full(tmp_path / "run.h5", said)
 
 
-def test_a_failing_disk_behind_our_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """When HDF5 itself cannot write, the file is left as the last flush left it, and can be closed."""
+def test_a_failing_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The file is left as the last flush left it, can be closed, and says why it ends."""
     path = tmp_path / "run.h5"
     recorder = made_up_run.start(path, 3)
     made_up_run.feed(recorder, 0, 3)
     recorder.write_block()
     made_up_run.feed(recorder, 1, 3)
-    monkeypatch.setattr(recorder, "_commit", lambda flush: (_ for _ in ()).throw(OSError(errno.EIO, "x")))
-    with pytest.raises(FileTrouble, match="input/output error"):
-        recorder.write_block()
+
+    def fail(handle: int, data: bytes, at: int) -> int:
+        raise OSError(errno.EIO, "x")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(disk.os, "pwrite", fail)
+        with pytest.raises(FileTrouble, match="input/output error"):
+            recorder.write_block()
     with open_trajectory(path) as trajectory:
         assert (trajectory.frames, trajectory.status) == (1, "running")
