@@ -7,6 +7,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from physsim._engine import Diverged, EngineError
 from physsim.errors import FileTrouble, PhyssimError, RunFailed
 from physsim.recording import Recorder, Trajectory, open_trajectory, recorded
 from physsim.simulation.about import fixed_values, now, root_attributes
@@ -133,8 +134,6 @@ def _columns(scene: Scene) -> tuple[Column, ...]:
 
 def _ending(loop: Loop, stop: StopRequest, recorder: Recorder, model: Model) -> Ending:
     """How the loop ended; a blow-up or a failing engine is an ending too."""
-    from physsim._engine import Diverged, EngineError  # noqa: PLC0415, the tests put a small engine in its place
-
     try:
         return loop.run(stop)
     except Diverged as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from physsim._engine import World
 from physsim.errors import RunFailed
 
 if TYPE_CHECKING:
@@ -21,8 +22,6 @@ class Simulated:
 
 def build(model: Model) -> Simulated:
     """The world in its declared state. Raises RunFailed when the engine refuses the model."""
-    from physsim._engine import World  # noqa: PLC0415, the tests put a small world in its place
-
     arrays = model.engine_input()
     try:
         world = World(arrays)
