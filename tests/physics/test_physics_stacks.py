@@ -84,6 +84,21 @@ def test_what_rests_does_not_bounce(side, timestep):
     assert abs(stack.world.energies()["lost_impact"]) < 1e-2
 
 
+@pytest.mark.parametrize("timestep", [2e-3, 1e-3])
+def test_stacks_that_do_not_touch_do_not_disturb_each_other(timestep):
+    """A tonne on a kilogram stands, a tower of ten boxes stands: so must both, side by side."""
+    light = body("light", "type: box, size: [0.2, 0.2, 0.2]", mass=1, position=(0, 0, 0.1))
+    heavy = body("heavy", "type: box, size: [0.8, 0.8, 0.8]", mass=1000, position=(0, 0, 0.6))
+    tower = "".join(
+        body(f"b{n}", "type: box, size: [0.4, 0.3, 0.2]", mass=5, position=(1, 0, 0.1 + 0.2 * n))
+        for n in range(10)
+    )
+    pair_alone = drift(lab(FLOOR + light + heavy, mu=0.5, timestep=timestep), 2.0)
+    tower_alone = drift(lab(FLOOR + tower, mu=0.5, timestep=timestep), 2.0)
+    both = drift(lab(FLOOR + light + heavy + tower, mu=0.5, timestep=timestep), 2.0)
+    assert max(pair_alone, tower_alone, both) < 1e-5
+
+
 @pytest.mark.parametrize("ratio", [1000.0, 1e-3])
 def test_a_chain_of_boxes_of_unlike_masses_stands(ratio):
     """1, 1000, 1, 1000, 1 kg on top of one another, and the other way round. Measured 2e-7 m."""
