@@ -14,6 +14,7 @@ disk stays as the last flush left it.
 from __future__ import annotations
 
 import contextlib
+import errno
 import io
 import os
 import sys
@@ -22,6 +23,8 @@ from pathlib import Path
 from typing import Any
 
 PAGE = 4096
+
+_NO_SUCH_CALL = (errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS)
 
 
 class Disk(io.RawIOBase):
@@ -150,9 +153,14 @@ def _pieces(start: int, length: int) -> Iterator[tuple[int, int, int]]:
 
 
 def _claim(handle: int, old: int, new: int) -> None:
-    if hasattr(os, "posix_fallocate"):
+    """Where the system cannot set room aside, the file is only made longer: a full disk shows while writing."""
+    try:
         os.posix_fallocate(handle, old, new - old)
-    else:
+    except AttributeError:
+        os.ftruncate(handle, new)
+    except OSError as error:
+        if error.errno not in _NO_SUCH_CALL:
+            raise
         os.ftruncate(handle, new)
 
 

@@ -4,8 +4,7 @@ This table is the only place where the file's names stand. The writer creates it
 checks a file against it, and `as_markdown` prints it for the documentation.
 
 Groups that a run has nothing for are absent: `/joints` and `/springs` when the scene has none, `/energy`
-when `record: {energy: false}`, `/contacts` when `record: {contacts: false}`; impacts are few, and always
-recorded.
+when `record: {energy: false}`, `/contacts` when `record: {contacts: false}`. Impacts are always recorded;
 `/energy/spring` and `/energy/work_motors` are 0 when nothing feeds them.
 """
 

@@ -116,6 +116,20 @@ def test_a_full_disk_changes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert path.read_bytes() == b"a" * 5000
 
 
+def test_where_room_cannot_be_set_aside(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Some file systems and C libraries do not know the call; the file is written all the same."""
+
+    def unknown(handle: int, offset: int, length: int) -> None:
+        raise OSError(errno.EOPNOTSUPP, "x")
+
+    monkeypatch.setattr(disk.os, "posix_fallocate", unknown)
+    with Disk(tmp_path / "file", create=True) as file:
+        file.write(b"a" * 5000)
+        file.flush()
+        assert file.error is None
+    assert (tmp_path / "file").read_bytes() == b"a" * 5000
+
+
 def test_truncating(tmp_path: Path) -> None:
     with Disk(tmp_path / "file", create=True) as file:
         file.write(b"a" * 9000)
