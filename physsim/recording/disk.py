@@ -153,7 +153,7 @@ def _pieces(start: int, length: int) -> Iterator[tuple[int, int, int]]:
 
 
 def _claim(handle: int, old: int, new: int) -> None:
-    """Where the system cannot set room aside, the file is only made longer: a full disk shows while writing."""
+    """Where the system cannot set room aside, the file is only made longer."""
     try:
         os.posix_fallocate(handle, old, new - old)
     except AttributeError:

@@ -161,6 +161,8 @@ def _small_attribute(file: h5py.File, name: str) -> Any:
     attribute = h5py.h5a.open(file.id, name.encode())
     if attribute.shape != () or attribute.get_storage_size() > MAX_ATTRIBUTE_BYTES:
         raise Damaged(f"the attribute {name} is not a single value")
+    if not isinstance(attribute.get_type(), h5py.h5t.TypeStringID | h5py.h5t.TypeIntegerID):
+        raise Damaged(f"the attribute {name} is neither a text nor an integer")
     return file.attrs[name]
 
 

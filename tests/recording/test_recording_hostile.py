@@ -102,6 +102,12 @@ def group_instead(file: h5py.File) -> None:
     file.create_group("mass")
 
 
+def ragged_title(file: h5py.File) -> None:
+    del file.attrs["title"]
+    kind = h5py.h5t.vlen_create(h5py.h5t.NATIVE_INT64)
+    h5py.h5a.create(file.id, b"title", kind, h5py.h5s.create(h5py.h5s.SCALAR))
+
+
 HUGE = 1 << 40
 CASES = {
     "newer version": (attribute("format_version", np.int64(2)), "has format version 2; this physsim reads"),
@@ -109,6 +115,8 @@ CASES = {
     "status unknown": (attribute("status", "fine"), "has the status 'fine'"),
     "title is a list": (attribute("title", np.arange(5)), "title is not a single value"),
     "title is a number": (attribute("title", 5), "title is not a text"),
+    # Reading such an attribute crashes h5py 3.16 when its numbers are where a text was.
+    "title is a series": (ragged_title, "title is neither a text nor an integer"),
     "a dataset is missing": (lambda file: file.__delitem__("velocity"), "has no dataset /velocity"),
     "half a group": (lambda file: file.__delitem__("energy/spring"), "/energy is not whole"),
     "a group in its place": (group_instead, "/mass: is not a dataset"),
