@@ -102,7 +102,8 @@ class Recorder:
     def checkpoint_is_due(self) -> bool:
         """Whether it is time to save the engine, and the frames in hand with it."""
         waited = time.monotonic() - self._last_checkpoint
-        worth_it = self._pending.frames >= LEAST_GROWTH * (self.frames % self._block)
+        new = self._pending.frames
+        worth_it = new == 0 or new >= LEAST_GROWTH * (self.frames % self._block)
         return waited > SECONDS_BETWEEN_CHECKPOINTS and worth_it
 
     def write_block(self) -> None:

@@ -124,8 +124,8 @@ class Loop:
                 self._world.advance(count, self._answer)
             self.step += count
             self._report(lambda: self._progress("running"))
-        if self.step == goal:
-            self._record()
+            if self.step == goal:
+                self._record()
             self._save_when_due()
 
     def _record(self) -> None:

@@ -162,6 +162,24 @@ def test_after_a_kill(scene: Scene, tmp_path: Path) -> None:
     assert differing(tmp_path / "through.h5", output) == []
 
 
+def test_a_long_frame_is_saved_in_between(
+    scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One frame in the whole run: there are checkpoints all the same, here as often as can be."""
+    monkeypatch.setattr("physsim.recording.writer.SECONDS_BETWEEN_CHECKPOINTS", 0.0)
+    steps = []
+
+    def look(progress: Progress) -> None:
+        with physsim.open_trajectory(tmp_path / "run.h5") as trajectory:
+            checkpoint = trajectory.checkpoint()
+            assert checkpoint is not None
+            steps.append(checkpoint.step)
+
+    once = (("every: 10 ms", "every: 600 ms"), ("600 ms, timestep: 1 ms", "600 ms, timestep: 20 ms"))
+    physsim.run(scene(*once), output=tmp_path / "run.h5", progress=look).close()
+    assert len(set(steps)) > 5
+
+
 def test_after_a_kill_while_replacing_an_old_file(scene: Scene, tmp_path: Path) -> None:
     output = tmp_path / "old.h5"
     physsim.run(scene(), output=output, duration="30 ms").close()
