@@ -34,6 +34,8 @@ pub struct StepStart<'a> {
     pub bodies: &'a [Body],
     /// Their free accelerations.
     pub accelerations: &'a [DVec3],
+    /// What the last contact solve may have left of each body's velocity [m/s].
+    pub noise: &'a [f64],
     /// When an approach counts as an impact.
     pub rules: Rules,
 }
@@ -212,6 +214,7 @@ impl StepStart<'_> {
             coefficients,
             &found.point,
         );
+        c.noise = self.noise[a.body].max(self.noise[b.body]);
         if t > 0.0 {
             let fall = normal_acceleration(&c, self.accelerations)
                 * (0.5 * t * (t + self.settings.timestep));

@@ -36,6 +36,8 @@ pub struct Contact {
     pub tangent_2: DVec3,
     /// Gap at the start of the step along the bodies' paths without impulses [m]; negative where they overlap.
     pub gap: f64,
+    /// What the last contact solve may have left of its bodies' velocities [m/s].
+    pub noise: f64,
     /// Instant within the step at which position and normal hold [s].
     pub instant: f64,
     /// Arms from the centres of mass [m].
@@ -102,6 +104,7 @@ impl Contact {
             tangent_1,
             tangent_2,
             gap: -point.depth,
+            noise: 0.0,
             instant: 0.0,
             arms,
             k_normal: k_n.dot(point.normal),

@@ -29,6 +29,9 @@ use crate::solver::{Limits, Solver};
 /// heap all at once, not in generations.
 const GENERATIONS: usize = 100;
 
+/// This part of a step apart is simultaneous.
+const SAME: f64 = 1e-3;
+
 /// What impacts add to the motion of a body within the step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Kink {
@@ -144,8 +147,7 @@ impl Impacts {
                 self.earliest[k] = self.earliest[k].min(instant);
             }
         }
-        // A thousandth of a step is simultaneous.
-        let same = 1e-3 * rules.timestep;
+        let same = SAME * rules.timestep;
         for (index, (c, &instant)) in contacts.iter().zip(&self.instants).enumerate() {
             let first = |k: usize| bodies[k].is_fixed() || instant <= self.earliest[k] + same;
             if instant.is_finite() && first(c.bodies.0) && first(c.bodies.1) {
@@ -328,7 +330,11 @@ impl Kinks {
         let gap = c.gap + self.gap_change(c);
         let earliest = self.0.instant.max(self.1.instant);
         let a = normal_acceleration(c, accelerations);
-        let t = first_root(gap, speed + 0.5 * a * dt, 0.5 * a).max(earliest);
+        let root = first_root(gap, speed + 0.5 * a * dt, 0.5 * a).max(earliest);
+        // The arms of a contact belong to its own instant: taken to the last bit, so that the angular momentum of an
+        // impact is kept to the last bit.
+        let own = (root - c.instant).abs() <= SAME * dt && c.instant >= earliest;
+        let t = if own { c.instant } else { root };
         if t < dt {
             t
         } else {
@@ -368,13 +374,16 @@ pub fn normal_acceleration(c: &Contact, accelerations: &[DVec3]) -> f64 {
     (accelerations[c.bodies.0] - accelerations[c.bodies.1]).dot(c.normal)
 }
 
-/// Approach up to this speed is what a resting contact may show within a step: forces may bring it about and the
-/// contact solve takes it away [m/s].
+/// Approach up to this speed is what a resting contact may show within a step: forces may bring it about, or the last
+/// contact solve may have left it; the next one takes it away [m/s].
 #[must_use]
 pub fn quiet_speed(c: &Contact, accelerations: &[DVec3], rules: &Rules) -> f64 {
-    (normal_acceleration(c, accelerations).abs() * rules.timestep)
+    // Not of the difference: a body that is held from below falls onto it, whatever its own acceleration is.
+    let along = |body: usize| accelerations[body].dot(c.normal).abs();
+    (along(c.bodies.0).max(along(c.bodies.1)) * rules.timestep)
         .max(rules.tolerance)
         .max(rules.bounce_speed)
+        .max(c.noise)
 }
 
 /// From the velocity that semi-implicit Euler carries at the start of a step to the velocity at the instant t of the

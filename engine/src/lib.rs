@@ -9,6 +9,7 @@ pub mod collide;
 pub mod contact;
 pub mod impact;
 pub mod integrator;
+mod islands;
 pub mod ledger;
 pub mod math;
 pub mod model;

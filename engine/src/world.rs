@@ -21,6 +21,8 @@ use crate::solver::{Limits, Report, Solver};
 
 /// Speeds above this are a blow-up, not physics [m/s].
 const SPEED_LIMIT: f64 = 1e8;
+/// Where sweeps run out, velocities are off by this many times what the last sweep still changed.
+const NOISE: f64 = 10.0;
 /// A body slower than this, in its fastest point, rests [m/s].
 const REST_SPEED: f64 = 1e-3;
 
@@ -64,6 +66,7 @@ pub struct World {
     gaps: Vec<f64>,
     every: Vec<usize>,
     match_radius: Vec<f64>,
+    noise: Vec<f64>,
 }
 
 /// What a checkpoint holds: all that the next step depends on.
@@ -73,6 +76,7 @@ struct Snapshot {
     resting_steps: u64,
     states: Vec<State>,
     memory: Memory,
+    noise: Vec<f64>,
     ledger: Ledger,
     events: Vec<Event>,
 }
@@ -98,6 +102,7 @@ impl World {
         let mut world = Self {
             broadphase: Broadphase::new(&model.geoms, &model.no_contact),
             accelerations: vec![DVec3::ZERO; bodies.len()],
+            noise: vec![0.0; bodies.len()],
             match_radius: model
                 .geoms
                 .iter()
@@ -193,6 +198,7 @@ impl World {
             pairs: &self.pairs,
             bodies: &self.bodies,
             accelerations: &self.accelerations,
+            noise: &self.noise,
             rules: self.rules(),
         };
         self.detector
@@ -274,7 +280,11 @@ impl World {
         for c in &mut self.contacts {
             let gap = c.gap + gap_change(&self.impacts.kinks, c);
             c.target = if gap > 0.0 {
-                -(gap - SLOP).max(0.0) / dt
+                if gap > SLOP {
+                    -gap / dt
+                } else {
+                    0.0
+                }
             } else {
                 -beta * gap / dt
             };
@@ -292,6 +302,14 @@ impl World {
         self.report = self
             .solver
             .solve(&self.bodies, &mut self.contacts, &self.every, limits);
+        let tolerance = self.settings.tolerance;
+        for (noise, &residual) in self.noise.iter_mut().zip(self.solver.residuals()) {
+            *noise = if residual < tolerance {
+                0.0
+            } else {
+                NOISE * residual
+            };
+        }
         for c in &self.contacts {
             c.apply(&mut self.bodies, c.impulse);
         }
@@ -539,6 +557,7 @@ impl World {
             resting_steps: self.resting_steps,
             states: self.bodies.iter().map(|b| b.state).collect(),
             memory: self.memory.clone(),
+            noise: self.noise.clone(),
             ledger: self.ledger,
             events: self.impacts.events.clone(),
         };
@@ -551,7 +570,7 @@ impl World {
     /// When the bytes are not such a checkpoint.
     pub fn restore(&mut self, bytes: &[u8]) -> Result<(), String> {
         let snapshot: Snapshot = postcard::from_bytes(bytes).map_err(|e| e.to_string())?;
-        if snapshot.states.len() != self.bodies.len() {
+        if snapshot.states.len() != self.bodies.len() || snapshot.noise.len() != self.bodies.len() {
             return Err("the checkpoint is of another number of bodies".into());
         }
         for (body, state) in self.bodies.iter_mut().zip(&snapshot.states) {
@@ -561,6 +580,7 @@ impl World {
         self.step = snapshot.step;
         self.resting_steps = snapshot.resting_steps;
         self.memory = snapshot.memory;
+        self.noise = snapshot.noise;
         self.ledger = snapshot.ledger;
         self.impacts.events = snapshot.events;
         self.contacts.clear();
