@@ -184,7 +184,7 @@ def test_the_bar_is_drawn_on_a_terminal_and_leaves_stdout_alone(fall: Path) -> N
 def test_a_full_disk_is_exit_3_and_what_was_written_can_be_read(fall: Path) -> None:
     """A limit on the file's size stands in for a full disk; h5py cannot even close its file after either."""
     command = (
-        f"ulimit -f 3000; {shlex.join(PHYSSIM)} run fall.yaml --duration '200 s' --set record.every='1 ms'"
+        f"ulimit -f 400; {shlex.join(PHYSSIM)} run fall.yaml --duration '200 s' --set record.every='1 ms'"
     )
     done = subprocess.run(
         ["bash", "-c", command],
@@ -197,8 +197,8 @@ def test_a_full_disk_is_exit_3_and_what_was_written_can_be_read(fall: Path) -> N
         check=False,
     )
     assert done.returncode == 3
-    assert done.stderr.startswith("physsim: fall.h5: ")
-    assert done.stderr.count("\n") == 1
+    assert done.stderr.splitlines()[-1].startswith("physsim: fall.h5: ")
+    assert "Traceback" not in done.stderr
     with open_trajectory(fall.with_suffix(".h5")) as trajectory:
-        assert trajectory.frames > 1000
+        assert trajectory.frames > 100
         assert trajectory.status == "interrupted"
