@@ -173,7 +173,7 @@ def test_an_interrupted_run_answers_with_its_document(tmp_path: Path) -> None:
 
 
 def test_the_bar_is_drawn_on_a_terminal_and_leaves_stdout_alone(fall: Path) -> None:
-    out, seen = on_a_terminal(["run", "fall.yaml", "--duration", "200 s"], fall.parent)
+    out, seen = on_a_terminal(["run", "fall.yaml", "--duration", "40 s"], fall.parent)
     assert out.startswith("fall.h5: complete")
     assert ESCAPE not in out
     assert "A ball falls freely" in seen
