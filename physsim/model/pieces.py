@@ -84,7 +84,7 @@ def _require_coacd() -> None:
             "needs CoACD, which is not installed",
             key="collision",
             given="pieces",
-            hint="pip install 'physsim[mesh]', or use collision: hull",
+            hint="pip install coacd, or use collision: hull",
         )
 
 

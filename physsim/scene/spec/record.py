@@ -17,8 +17,6 @@ class RecordSpec(Spec):
         description="Time between frames [s], a whole number of timesteps; about 10 ms when left out.",
         examples=["10 ms"],
     )
-    contacts: Switch = Field(
-        default=True, description="Whether contact points are written; impacts always are."
-    )
+    contacts: Switch = Field(default=True, description="Whether contacts are written; impacts always are.")
     joints: Switch = Field(default=True, description="Whether joint forces and coordinates are written.")
     energy: Switch = Field(default=True, description="Whether the energy ledger is written.")
