@@ -138,7 +138,7 @@ impl Impacts {
         self.instants.extend(
             contacts
                 .iter()
-                .map(|c| at(c).touching(c, bodies, accelerations, rules)),
+                .map(|c| at(c).hit_at(c, bodies, accelerations, rules)),
         );
         self.earliest.clear();
         self.earliest.resize(bodies.len(), f64::INFINITY);
@@ -330,15 +330,24 @@ impl Kinks {
         let gap = c.gap + self.gap_change(c);
         let earliest = self.0.instant.max(self.1.instant);
         let a = normal_acceleration(c, accelerations);
-        let root = first_root(gap, speed + 0.5 * a * dt, 0.5 * a).max(earliest);
-        // The arms of a contact belong to its own instant: taken to the last bit, so that the angular momentum of an
-        // impact is kept to the last bit.
-        let own = (root - c.instant).abs() <= SAME * dt && c.instant >= earliest;
-        let t = if own { c.instant } else { root };
+        let t = first_root(gap, speed + 0.5 * a * dt, 0.5 * a).max(earliest);
         if t < dt {
             t
         } else {
             f64::INFINITY
+        }
+    }
+
+    /// The same, but a contact that was followed to its touching is hit at just the instant that its arms belong to,
+    /// so that the angular momentum of the impact is kept to the last bit.
+    fn hit_at(&self, c: &Contact, bodies: &[Body], accelerations: &[DVec3], rules: &Rules) -> f64 {
+        let t = self.touching(c, bodies, accelerations, rules);
+        let earliest = self.0.instant.max(self.1.instant);
+        let own = (t - c.instant).abs() <= SAME * rules.timestep && c.instant >= earliest;
+        if own {
+            c.instant
+        } else {
+            t
         }
     }
 
