@@ -239,6 +239,9 @@ impl Impacts {
             c.impact_impulse += p;
             for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
                 let (b, kink) = (&mut bodies[body], &mut self.kinks[body]);
+                if b.is_fixed() {
+                    continue; // it has no path to bend, and must not make others wait for its impacts
+                }
                 let instant = self.instants[k];
                 kink.shift -= impulse * (b.mass.inverse_mass * instant);
                 kink.turn -= b.inverse_inertia * arm.cross(impulse) * instant;

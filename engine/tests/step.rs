@@ -238,3 +238,26 @@ fn oblique_impact_takes_the_normal_at_touching() {
         assert!((world.bodies()[1].state.velocity + normal * impulse).length() < 1e-11);
     }
 }
+
+/// A ball that hits the same floor far away, later in the same step, changes nothing for two balls that bounce on one
+/// another: it once made them wait, because the floor remembered its impact.
+#[test]
+fn impacts_on_one_floor_do_not_wait_for_each_other() {
+    let dt = 1e-2;
+    let end = |with_another: bool| {
+        let mut scene = Scene::new(dt, 1.0, 0.0)
+            .floor()
+            .ball(0.1, DVec3::new(0.0, 0.0, 0.11), DVec3::new(0.0, 0.0, -3.0))
+            .ball(0.1, DVec3::new(0.0, 0.0, 0.311), DVec3::new(0.0, 0.0, -4.0));
+        if with_another {
+            scene = scene.ball(0.1, DVec3::new(9.0, 0.0, 0.128), DVec3::new(0.0, 0.0, -3.0));
+        }
+        let mut world = scene.world();
+        run(&mut world, 1);
+        [1, 2].map(|k| world.bodies()[k].state)
+    };
+    for (alone, accompanied) in end(false).iter().zip(end(true)) {
+        assert!((alone.position - accompanied.position).length() < 1e-15);
+        assert!((alone.velocity - accompanied.velocity).length() < 1e-14);
+    }
+}
