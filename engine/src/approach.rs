@@ -99,9 +99,7 @@ impl Approach {
                     state: Chase::Open,
                 });
             }
-            let near = start.near(job);
-            let kept = points.iter().filter(|f| f.point.depth > -near);
-            out.extend(kept.map(|f| start.contact(job, f, 0.0)));
+            start.near_contacts(job, points, 0.0, out);
         }
         if !self.pursuits.is_empty() {
             self.pursue(start, jobs, detector, oracle, out)?;
@@ -135,9 +133,7 @@ impl Approach {
                 start.advance(pursuit, job, points);
                 open |= pursuit.state == Chase::Open;
                 if pursuit.state != Chase::Missed {
-                    let near = start.near(job);
-                    let kept = points.iter().filter(|f| f.point.depth > -near);
-                    out.extend(kept.map(|f| start.contact(job, f, found_at)));
+                    start.near_contacts(job, points, found_at, out);
                 }
             }
             if !open {
@@ -222,6 +218,13 @@ impl StepStart<'_> {
             c.instant = t;
         }
         c
+    }
+
+    /// Contacts at those of the points, found at the instant `t`, that nearly touch.
+    fn near_contacts(&self, job: &Job, points: &[Found], t: f64, out: &mut Vec<Contact>) {
+        let near = self.near(job);
+        let kept = points.iter().filter(|f| f.point.depth > -near);
+        out.extend(kept.map(|f| self.contact(job, f, t)));
     }
 
     /// The first instant at which one of these points, found at the instant `t`, is hit; infinite when none is.

@@ -140,40 +140,24 @@ impl Detector {
             poses: job.poses,
             margin: job.margin,
         };
-        self.triangles.clear();
-        match shapes {
-            (Shape::Mesh(mesh), other) => {
-                let relative = job.poses.0.relative(&job.poses.1);
-                mesh.overlapping(
-                    &other.aabb(&relative).expanded(job.margin),
-                    &mut self.triangles,
-                );
-                for &t in &self.triangles {
-                    self.asked_for.push(index);
-                    self.queries.push(Query {
-                        triangles: (t as i32, -1),
-                        ..query
-                    });
-                }
-            }
-            (other, Shape::Mesh(mesh)) => {
-                let relative = job.poses.1.relative(&job.poses.0);
-                mesh.overlapping(
-                    &other.aabb(&relative).expanded(job.margin),
-                    &mut self.triangles,
-                );
-                for &t in &self.triangles {
-                    self.asked_for.push(index);
-                    self.queries.push(Query {
-                        triangles: (-1, t as i32),
-                        ..query
-                    });
-                }
-            }
+        let (mesh, other, poses, mesh_first) = match shapes {
+            (Shape::Mesh(mesh), other) => (mesh, other, (&job.poses.0, &job.poses.1), true),
+            (other, Shape::Mesh(mesh)) => (mesh, other, (&job.poses.1, &job.poses.0), false),
             _ => {
                 self.asked_for.push(index);
                 self.queries.push(query);
+                return;
             }
+        };
+        let reach = other.aabb(&poses.0.relative(poses.1)).expanded(job.margin);
+        self.triangles.clear();
+        mesh.overlapping(&reach, &mut self.triangles);
+        for &t in &self.triangles {
+            #[allow(clippy::cast_possible_wrap)]
+            let t = t as i32;
+            let triangles = if mesh_first { (t, -1) } else { (-1, t) };
+            self.asked_for.push(index);
+            self.queries.push(Query { triangles, ..query });
         }
     }
 

@@ -183,14 +183,8 @@ impl World {
         self.jobs.clear();
         for &(i, j) in &self.candidates {
             let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
-            self.jobs.push(Job {
-                geoms: (i, j),
-                poses: (
-                    a.pose(&self.bodies[a.body].pose()),
-                    b.pose(&self.bodies[b.body].pose()),
-                ),
-                margin: near_margin(a, b) + travels[a.body] + travels[b.body],
-            });
+            let margin = near_margin(a, b) + travels[a.body] + travels[b.body];
+            self.jobs.push(self.job((i, j), margin));
         }
         let start = StepStart {
             settings: &self.settings,
@@ -230,6 +224,19 @@ impl World {
             |k| !bodies[k].is_fixed(),
             &mut self.candidates,
         );
+    }
+
+    /// Two geoms where their bodies are now.
+    fn job(&self, geoms: (u32, u32), margin: f64) -> Job {
+        let pose = |k: u32| {
+            let geom = &self.geoms[k as usize];
+            geom.pose(&self.bodies[geom.body].pose())
+        };
+        Job {
+            geoms,
+            poses: (pose(geoms.0), pose(geoms.1)),
+            margin,
+        }
     }
 
     fn rules(&self) -> Rules {
@@ -407,18 +414,7 @@ impl World {
         let jobs: Vec<Job> = self
             .candidates
             .iter()
-            .map(|&(i, j)| {
-                let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
-                let poses = (
-                    a.pose(&self.bodies[a.body].pose()),
-                    b.pose(&self.bodies[b.body].pose()),
-                );
-                Job {
-                    geoms: (i, j),
-                    poses,
-                    margin,
-                }
-            })
+            .map(|&pair| self.job(pair, margin))
             .collect();
         self.detector
             .run(&self.geoms, &jobs, self.settings.fcl_only, oracle)
