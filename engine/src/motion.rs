@@ -1,0 +1,1 @@
+//! Fixed bodies that move on a prescribed path.
