@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from physsim.scene.expressions import ExpressionError, Result, evaluate
+from physsim.scene.expressions import Result, evaluate
+from physsim.scene.grammar import ExpressionError
 from physsim.scene.units import PLAIN, Measure, UnitError, dimension_text, parse_measure, parse_unit, same
 
 NAME = re.compile(r"[^\W\d]\w{0,59}\Z")

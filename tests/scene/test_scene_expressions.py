@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physsim.scene import Scene, load_scene_text
-from physsim.scene.expressions import FUNCTIONS, MAX_NESTING, ExpressionError, evaluate
+from physsim.scene.expressions import FUNCTIONS, evaluate
+from physsim.scene.grammar import MAX_NESTING, ExpressionError
 from physsim.scene.units import Measure, dimension_text, parse_measure
 
 PARAMETERS = {

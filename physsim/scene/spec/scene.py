@@ -15,7 +15,8 @@ from pydantic import (
 )
 from pydantic_core import core_schema
 
-from physsim.scene.expressions import FUNCTIONS, ExpressionError
+from physsim.scene.expressions import FUNCTIONS
+from physsim.scene.grammar import ExpressionError
 from physsim.scene.parameters import NAME, BrokenParameter
 from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec

@@ -14,7 +14,8 @@ from typing import Annotated, Any
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationInfo
 from pydantic_core import core_schema
 
-from physsim.scene.expressions import ExpressionError, Result
+from physsim.scene.expressions import Result
+from physsim.scene.grammar import ExpressionError
 from physsim.scene.parameters import BrokenParameter, measured
 from physsim.scene.spec import kinds
 from physsim.scene.spec.kinds import Kind
