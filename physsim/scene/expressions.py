@@ -1,7 +1,7 @@
 """Arithmetic in scenes: `${2*drop + 10 cm}`, in the grammar of `grammar`.
 
-A NAME is a parameter of the scene or a constant (`pi`, `tau`); a parameter of the same name wins. Dimensions are
-carried along: `${drop}` for a mass is refused when `drop` is a length. A number without a unit takes the
+A NAME is a parameter of the scene or a constant (`pi`, `tau`); a parameter of the same name wins. Dimensions
+are carried along: `${drop}` for a mass is refused when `drop` is a length. A number without a unit takes the
 dimension that it meets, in SI, as everywhere in a scene: `${drop + 0.1}` adds 0.1 m. Radians count as plain
 numbers inside arithmetic, so that `${v / r}` is an angular speed. A single name, `${drop}`, stands for the
 parameter exactly as it was written. Numbers are floats.

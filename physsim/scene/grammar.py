@@ -8,8 +8,8 @@ Loosest first (`^` and `**` are the same, bind to the right, and stand above a s
     power   = atom [ ("^" | "**") sign ]
     atom    = NUMBER [UNIT] | NAME | NAME "(" sum { "," sum } ")" | "(" sum ")"
 
-UNIT is one unit name (`10 cm`, `30 deg`); compound units are written as arithmetic: `3 m / (1 s)`. What a sum or a
-product *is* says the algebra that reads along: numbers with dimensions (`expressions`) or a program of steps
+UNIT is one unit name (`10 cm`, `30 deg`); compound units are written as arithmetic: `3 m / (1 s)`. What a sum
+or a product *is* says the algebra that reads along: numbers with dimensions (`expressions`) or a program
 (`program`). Every stage is bounded: text 500 characters, nesting 40.
 """
 
