@@ -7,6 +7,7 @@ pub mod body;
 pub mod broadphase;
 pub mod collide;
 pub mod contact;
+pub mod curve;
 pub mod force;
 pub mod impact;
 pub mod integrator;
