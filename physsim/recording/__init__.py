@@ -1,5 +1,6 @@
 """The trajectory file: its layout, the recorder that writes it, and the trajectory that reads it."""
 
+from physsim.recording.connection_track import JointTrack, SpringTrack
 from physsim.recording.layout import recorded
 from physsim.recording.reader import NotInFile, Trajectory, open_trajectory
 from physsim.recording.series import Series, Table
@@ -9,9 +10,11 @@ from physsim.recording.writer import Recorder
 
 __all__ = [
     "BodyTrack",
+    "JointTrack",
     "NotInFile",
     "Recorder",
     "Series",
+    "SpringTrack",
     "Table",
     "Target",
     "Trajectory",

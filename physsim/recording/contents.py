@@ -6,10 +6,10 @@ import h5py
 import numpy as np
 
 from physsim.recording import layout
-from physsim.recording.layout import Column
+from physsim.recording.column import FIXED_AXES, Column
 from physsim.recording.safe import Damaged, dataset
 
-_LABELLED_AXES = {"body": "body", "pair": "pairs/pair"}
+_LABELLED_AXES = {"body": "body", "pair": "pairs/pair", "joint": "joints/joint", "spring": "springs/spring"}
 
 Datasets = dict[str, h5py.Dataset]
 
@@ -25,11 +25,11 @@ def find_datasets(file: h5py.File) -> Datasets:
         there = dataset(file, column)
         if there is not None:
             found[column.path] = there
-        elif column.group not in layout.OPTIONAL_GROUPS:
+        elif column.group not in layout.OPTIONAL_GROUPS and not column.later:
             raise Damaged(f"has no dataset /{column.path}: the file is damaged")
     _check_groups_whole(found)
-    sizes = {dim: len(labels) for dim, labels in layout.FIXED_AXES.items()}
-    sizes |= {dim: found[path].shape[0] for dim, path in _LABELLED_AXES.items()}
+    sizes = {dim: len(labels) for dim, labels in FIXED_AXES.items()}
+    sizes |= {dim: found[path].shape[0] for dim, path in _LABELLED_AXES.items() if path in found}
     for path, there in found.items():
         _check_lengths(layout.BY_PATH[path], there, sizes)
     return found
@@ -54,7 +54,7 @@ def columns_of(group: str) -> list[Column]:
 
 def _check_groups_whole(datasets: Datasets) -> None:
     for group in layout.OPTIONAL_GROUPS:
-        there = [column.path in datasets for column in columns_of(group)]
+        there = [column.path in datasets for column in columns_of(group) if not column.later]
         if any(there) and not all(there):
             raise Damaged(f"/{group} is not whole: the file is damaged")
 

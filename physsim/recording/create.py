@@ -9,13 +9,14 @@ import h5py
 import numpy as np
 
 from physsim.recording import layout
+from physsim.recording.column import FIXED_AXES, Column
 from physsim.recording.disk import Disk
-from physsim.recording.layout import Column
 
 # HDF5 1.8 and later read this; "latest" would be read by HDF5 2.0 only.
 LIBVER = ("earliest", "v110")
-# One chunk of a per-body dataset: at most this many bodies, and as many frames as fit.
-CHUNK_BODIES = 64
+# One chunk of a per-body (joint, spring) dataset: at most this many of them, and as many frames as fit.
+CHUNK_ITEMS = 64
+ITEM_AXES = ("body", "joint", "spring")
 CHUNK_BYTES = 192 * 1024
 CHUNK_FRAMES = (64, 1024)
 CHUNK_ROWS = 1024
@@ -47,7 +48,7 @@ def fill_new_file(
 
 def block_frames(bodies: int) -> int:
     """Frames per chunk, and per block between two flushes: a power of two."""
-    row_bytes = 4 * 8 * min(max(bodies, 1), CHUNK_BODIES)
+    row_bytes = 4 * 8 * min(max(bodies, 1), CHUNK_ITEMS)
     fitting = 1 << ((CHUNK_BYTES // row_bytes).bit_length() - 1)
     return min(max(fitting, CHUNK_FRAMES[0]), CHUNK_FRAMES[1])
 
@@ -67,7 +68,7 @@ def _set_attributes(file: h5py.File, attributes: Mapping[str, Any]) -> None:
 
 
 def _sizes(columns: tuple[Column, ...], values: Mapping[str, Any]) -> dict[str, int]:
-    sizes = {dim: len(labels) for dim, labels in layout.FIXED_AXES.items()}
+    sizes = {dim: len(labels) for dim, labels in FIXED_AXES.items()}
     for column in columns:
         if column.is_scale and column.path in values:
             sizes[column.name] = len(values[column.path])
@@ -94,8 +95,8 @@ def _create_dataset(
     )
     dataset.attrs["units"] = column.units
     dataset.attrs["long_name"] = column.description
-    if column.name in layout.FIXED_AXES and column.is_scale:
-        dataset[:] = list(layout.FIXED_AXES[column.name])
+    if column.name in FIXED_AXES and column.is_scale:
+        dataset[:] = list(FIXED_AXES[column.name])
     elif column.path in values and np.size(values[column.path]):
         dataset[...] = values[column.path]
 
@@ -113,9 +114,9 @@ def _chunks(column: Column, shape: tuple[int, ...], sizes: Mapping[str, int]) ->
     if column.grows_along != "time":
         return (CHUNK_ROWS, *shape[1:])
     frames = block_frames(sizes["body"])
-    if "body" not in column.dims:
+    if len(shape) < 2 or column.dims[1] not in ITEM_AXES:
         return (max(frames, SMALL_CHUNK_FRAMES), *shape[1:])
-    return (frames, max(min(shape[1], CHUNK_BODIES), 1), *shape[2:])
+    return (frames, max(min(shape[1], CHUNK_ITEMS), 1), *shape[2:])
 
 
 def _create_bare_axes(file: h5py.File, columns: tuple[Column, ...], sizes: Mapping[str, int]) -> None:

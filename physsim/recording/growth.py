@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from physsim.recording import layout
+from physsim.recording.column import Column
 from physsim.recording.create import axis_dataset
-from physsim.recording.layout import Column
 from physsim.recording.pending import Pending
 
 

@@ -3,65 +3,28 @@
 This table is the only place where the file's names stand. The writer creates its datasets from it, the reader
 checks a file against it, and `as_markdown` prints it for the documentation.
 
-Groups that a run has nothing for are absent: `/joints` and `/springs` when the scene has none, `/energy`
-when `record: {energy: false}`, `/contacts` when `record: {contacts: false}`. Impacts are always recorded;
-`/energy/spring` and `/energy/work_motors` are 0 when nothing feeds them.
+Groups that a run has nothing for are absent: `/joints` and `/springs` when the scene has none or says
+`record: {joints: false}`, `/energy` when `record: {energy: false}`, `/contacts` when `record: {contacts:
+false}`. Impacts are always recorded; `/energy/spring` and `/energy/work_motors` are 0 when nothing feeds
+them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
 from typing import Literal
+
+from physsim.recording.column import Column
+from physsim.recording.connections import JOINTS, SPRINGS
 
 FORMAT = "physsim-trajectory"
 FORMAT_VERSION = 1
 CONVENTIONS = "CF-1.11"
 
-Kind = Literal["f8", "i8", "i4", "i1", "u1", "str"]
 Status = Literal["running", "complete", "failed", "interrupted"]
 STATUSES: tuple[Status, ...] = ("running", "complete", "failed", "interrupted")
 
-FIXED_AXES = {"axis": ("x", "y", "z"), "axis_2": ("x", "y", "z"), "quaternion": ("w", "x", "y", "z")}
-GROWING_AXES = ("time", "contact", "boundary", "event")
 SLOTS = ("a", "b")
-
-
-@dataclass(frozen=True)
-class Column:
-    """One dataset of the file.
-
-    path: its name from the root, without the leading slash.
-    dims: names of its axes, outermost first; a growing one can only be the first. Empty for a single value.
-    kind: numpy type, or "str" for UTF-8 text of variable length.
-    units: UDUNITS spelling; "1" for what has no unit.
-    """
-
-    path: str
-    dims: tuple[str, ...]
-    kind: Kind
-    units: str
-    description: str
-
-    @property
-    def group(self) -> str:
-        """The group it lives in, "" for the root."""
-        return self.path.rpartition("/")[0]
-
-    @property
-    def name(self) -> str:
-        return self.path.rpartition("/")[2]
-
-    @property
-    def grows_along(self) -> str | None:
-        """The axis that gets longer during a run, or None."""
-        return self.dims[0] if self.dims and self.dims[0] in GROWING_AXES else None
-
-    @property
-    def is_scale(self) -> bool:
-        """Whether it holds the labels of its own axis (a dimension scale)."""
-        return self.dims == (self.name,)
-
 
 _LABELS = (
     Column(
@@ -103,7 +66,7 @@ _BODIES = (
     Column("fixed", ("body",), "i1", "1", "1 for a body that never moves, else 0."),
 )
 
-ENERGY_STATE = ("kinetic_translational", "kinetic_rotational", "gravitational", "spring")
+ENERGY_STATE = ("kinetic_translational", "kinetic_rotational", "gravitational", "gravitation", "spring")
 ENERGY_SUMS = (
     "work_forces",
     "work_motors",
@@ -117,6 +80,7 @@ _ENERGY_WORDS = {
     "kinetic_translational": "Kinetic energy of translation, all moving bodies.",
     "kinetic_rotational": "Kinetic energy of rotation, all moving bodies.",
     "gravitational": "Potential energy in gravity, zero at the world's origin.",
+    "gravitation": "Potential energy of the attraction between bodies, zero far apart.",
     "spring": "Energy stored in springs.",
     "work_forces": "Work done by declared forces and torques, since the start.",
     "work_motors": "Work done by motors, since the start.",
@@ -127,7 +91,7 @@ _ENERGY_WORDS = {
     "residual": "What the books do not explain, since the start.",
 }
 _ENERGY = tuple(
-    Column(f"energy/{name}", ("time",), "f8", "J", _ENERGY_WORDS[name])
+    Column(f"energy/{name}", ("time",), "f8", "J", _ENERGY_WORDS[name], later=name == "gravitation")
     for name in (*ENERGY_STATE, *ENERGY_SUMS)
 )
 
@@ -211,6 +175,14 @@ _SOLVER = (
     ),
     Column("solver/iterations", ("time",), "i8", "1", "Sweeps that the last step's solve took."),
     Column("solver/contact_count", ("time",), "i8", "1", "Contact points in the last step."),
+    Column(
+        "solver/fallbacks",
+        ("time",),
+        "i8",
+        "1",
+        "Steps since the start in which located impacts were given up and done as stepped ones.",
+        later=True,
+    ),
 )
 
 _PAIRS = (
@@ -259,14 +231,16 @@ _CHECKPOINT = tuple(
 
 _ALWAYS = (*_LABELS, *_STATE, *_BODIES, *_MOMENTUM, *_EVENTS, *_SOLVER, *_PAIRS, *_PROVENANCE, *_CHECKPOINT)
 
-EVERYTHING: tuple[Column, ...] = (*_ALWAYS, *_ENERGY, *_CONTACTS)
+EVERYTHING: tuple[Column, ...] = (*_ALWAYS, *_ENERGY, *_CONTACTS, *JOINTS, *SPRINGS)
 BY_PATH = {column.path: column for column in EVERYTHING}
-OPTIONAL_GROUPS = ("energy", "contacts")
+_OPTIONAL = {"energy": _ENERGY, "contacts": _CONTACTS, "joints": JOINTS, "springs": SPRINGS}
+OPTIONAL_GROUPS = tuple(_OPTIONAL)
 
 
-def recorded(*, energy: bool, contacts: bool) -> tuple[Column, ...]:
-    """The datasets of a run, by what its scene's `record` asks for."""
-    return (*_ALWAYS, *(_ENERGY if energy else ()), *(_CONTACTS if contacts else ()))
+def recorded(groups: Iterable[str]) -> tuple[Column, ...]:
+    """The datasets of a run that records these of `OPTIONAL_GROUPS`."""
+    chosen = set(groups)
+    return (*_ALWAYS, *(column for name in OPTIONAL_GROUPS if name in chosen for column in _OPTIONAL[name]))
 
 
 def bare_axes(columns: tuple[Column, ...]) -> Iterator[tuple[str, str]]:

@@ -35,7 +35,7 @@ def _of_body(trajectory: Trajectory, quantity: Quantity) -> Array:
 def _of_energy(trajectory: Trajectory, quantity: Quantity) -> Array:
     energy = trajectory.energy
     if quantity.field == "total":
-        return np.asarray(sum(energy[name] for name in ENERGY_STATE))
+        return np.asarray(sum(energy[name] for name in ENERGY_STATE if name in energy))
     if quantity.field == "kinetic":
         return np.asarray(energy["kinetic_translational"] + energy["kinetic_rotational"])
     return energy[quantity.field]

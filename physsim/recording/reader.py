@@ -15,6 +15,7 @@ import numpy as np
 from physsim.errors import FileTrouble, PhyssimError
 from physsim.recording import layout
 from physsim.recording.checkpoint import Checkpoint, newest
+from physsim.recording.connection_track import JointTrack, SpringTrack
 from physsim.recording.contents import columns_of, find_datasets, whole_frames
 from physsim.recording.safe import (
     Damaged,
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     import xarray
 
 _BODY_ROWS = ("body_a", "body_b")
+_NAMES = {"body": "body", "joint": "joints/joint", "spring": "springs/spring"}
 # A file that is being written can be caught between two writes: it is looked at again this often, so much
 # later.
 TRIES_WHILE_WRITTEN = 10
@@ -38,7 +40,7 @@ SECONDS_BETWEEN_TRIES = 0.05
 
 
 class NotInFile(PhyssimError):
-    """The trajectory has no such body, frame, or recorded group."""
+    """The trajectory has no such body, joint, spring or frame, or did not record what is asked for."""
 
     exit_code = 2
 
@@ -70,7 +72,8 @@ class Trajectory:
 
     path: the file; frames: number of whole frames; status: running, complete, failed or interrupted;
     status_detail: why it ended; being_written: whether its run is still alive; title, seed,
-    physsim_version: as in the scene that made it; body_names: in scene order.
+    physsim_version: as in the scene that made it; body_names, joint_names, spring_names: in scene order,
+    none where they were not recorded.
     """
 
     def __init__(self, path: Path, file: h5py.File, being_written: bool = False) -> None:
@@ -82,8 +85,9 @@ class Trajectory:
             self._read_attributes()
             self._datasets = find_datasets(file)
             self.frames = whole_frames(self._datasets)
-            self.body_names: tuple[str, ...] = tuple(str(name) for name in self.values("body"))
-            self._index = {name: index for index, name in enumerate(self.body_names)}
+            names = {word: self._names(path) for word, path in _NAMES.items()}
+            self.body_names, self.joint_names, self.spring_names = names.values()
+            self._index = {word: {name: row for row, name in enumerate(some)} for word, some in names.items()}
 
     def __enter__(self) -> Self:
         return self
@@ -131,13 +135,26 @@ class Trajectory:
         """One body by name. Raises NotInFile with the nearest name."""
         return BodyTrack(self, name)
 
+    def joint(self, name: str) -> JointTrack:
+        """One joint by name. Raises NotInFile with the nearest name."""
+        return JointTrack(self, name)
+
+    def spring(self, name: str) -> SpringTrack:
+        """One spring by name. Raises NotInFile with the nearest name."""
+        return SpringTrack(self, name)
+
     def index_of(self, name: str) -> int:
         """The row of a body. Raises NotInFile with the nearest name."""
-        if name in self._index:
-            return self._index[name]
-        near = difflib.get_close_matches(name, self.body_names, n=1)
+        return self.row_of("body", name)
+
+    def row_of(self, word: str, name: str) -> int:
+        """The row of a `body`, `joint` or `spring`. Raises NotInFile with the nearest name."""
+        rows = self._index[word]
+        if name in rows:
+            return rows[name]
+        near = difflib.get_close_matches(name, rows, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
-        raise NotInFile(f"{self.path}: has no body {name!r}{hint}")
+        raise NotInFile(f"{self.path}: has no {word} {name!r}{hint}")
 
     def frame_at(self, moment: float) -> int:
         """The frame nearest to a time [s]."""
@@ -183,7 +200,7 @@ class Trajectory:
 
     @property
     def solver(self) -> Table:
-        """`residual` (T) m/s, `iterations` (T), `contact_count` (T)."""
+        """`residual` (T) m/s, `iterations` (T), `contact_count` (T), `fallbacks` (T)."""
         return self._table_over_time("solver")
 
     @property
@@ -209,9 +226,11 @@ class Trajectory:
         with guarded(self.path):
             return newest(self._file)
 
-    def series(self, path: str, body: int | None = None) -> Series:
-        """A dataset over time by its path in the file, of one body (by row) where it has a body axis."""
-        return Series(self.path, self._datasets[path], self.frames, layout.BY_PATH[path].units, body)
+    def series(self, path: str, row: int | None = None) -> Series:
+        """A dataset over time by its path in the file, of one body, joint or spring (by row) where it has
+        such an axis.
+        """
+        return Series(self.path, self._datasets[path], self.frames, layout.BY_PATH[path].units, row)
 
     def values(self, path: str) -> Array:
         """A dataset that does not change with time, whole, texts as str."""
@@ -260,7 +279,11 @@ class Trajectory:
         return np.asarray(self.series(path)[:])
 
     def _table_over_time(self, group: str) -> Table:
-        return Table({column.name: self._over_time(column.path) for column in columns_of(group)})
+        there = [column for column in columns_of(group) if column.path in self._datasets]
+        return Table({column.name: self._over_time(column.path) for column in there})
+
+    def _names(self, path: str) -> tuple[str, ...]:
+        return tuple(str(name) for name in self.values(path)) if path in self._datasets else ()
 
     def _need_group(self, group: str) -> None:
         if columns_of(group)[0].path not in self._datasets:

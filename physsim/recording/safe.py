@@ -19,8 +19,8 @@ import numpy as np
 
 from physsim.errors import FileTrouble
 from physsim.recording import layout
+from physsim.recording.column import Column
 from physsim.recording.heaps import broken_heap
-from physsim.recording.layout import Column
 from physsim.recording.target import is_being_written, plain
 
 SIGNATURE = b"\x89HDF\r\n\x1a\n"

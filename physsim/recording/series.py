@@ -27,11 +27,11 @@ class Series:
     """
 
     def __init__(
-        self, path: Path, dataset: h5py.Dataset, frames: int, units: str, body: int | None = None
+        self, path: Path, dataset: h5py.Dataset, frames: int, units: str, row: int | None = None
     ) -> None:
         self.units = units
-        self._path, self._dataset, self._body = path, dataset, body
-        inner = dataset.shape[1:] if body is None else dataset.shape[2:]
+        self._path, self._dataset, self._row = path, dataset, row
+        inner = dataset.shape[1:] if row is None else dataset.shape[2:]
         self.shape: tuple[int, ...] = (frames, *inner)
         self.dtype = dataset.dtype
 
@@ -67,7 +67,7 @@ class Series:
     def _read(self, start: int, stop: int) -> Array:
         if not self._dataset:
             raise ValueError(f"{self._path}: the trajectory is closed")
-        key = slice(start, stop) if self._body is None else (slice(start, stop), self._body)
+        key = slice(start, stop) if self._row is None else (slice(start, stop), self._row)
         check_memory(self._path, (stop - start) * math.prod(self.shape[1:]) * self.dtype.itemsize)
         with guarded(self._path):
             return np.asarray(self._dataset[key])

@@ -17,10 +17,11 @@ import h5py
 from physsim.errors import FileTrouble
 from physsim.recording import checkpoint as slots
 from physsim.recording.checkpoint import Checkpoint
+from physsim.recording.column import Column
 from physsim.recording.create import LIBVER, block_frames, fill_new_file
 from physsim.recording.disk import Disk
 from physsim.recording.growth import Growing
-from physsim.recording.layout import Column, Status
+from physsim.recording.layout import Status
 from physsim.recording.pending import Pending, Rows
 from physsim.recording.safe import guarded
 from physsim.recording.target import Target, plain

@@ -46,9 +46,11 @@ class Measure:
             "velocity": state["velocity"],
             "angular_velocity": state["angular_velocity"],
             **{f"solver/{name}": solver[name] for name in ("residual", "iterations", "contact_count")},
+            "solver/fallbacks": solver.get("fallbacks", 0),
             **self._momentum(state),
         }
         if self._energy:
+            rows |= {"energy/gravitation": 0.0}
             rows |= {f"energy/{name}": value for name, value in world.energies().items()}
         return rows
 

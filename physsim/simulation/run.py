@@ -23,7 +23,8 @@ from physsim.simulation.world import Simulated, build
 
 if TYPE_CHECKING:
     from physsim.model import Model
-    from physsim.recording.layout import Column, Status
+    from physsim.recording.column import Column
+    from physsim.recording.layout import Status
     from physsim.scene import Scene
 
 
@@ -129,7 +130,17 @@ def _resumed(prepared: Prepared, simulated: Simulated, found: Resumable) -> Reco
 
 
 def _columns(scene: Scene) -> tuple[Column, ...]:
-    return recorded(energy=scene.spec.record.energy, contacts=scene.spec.record.contacts)
+    spec = scene.spec
+    return recorded(
+        name
+        for name, wanted in {
+            "energy": spec.record.energy,
+            "contacts": spec.record.contacts,
+            "joints": spec.record.joints and spec.joints,
+            "springs": spec.record.joints and spec.springs,
+        }.items()
+        if wanted
+    )
 
 
 def _ending(loop: Loop, stop: StopRequest, recorder: Recorder, model: Model) -> Ending:

@@ -1,6 +1,7 @@
 """Frames that can be recognised: every number tells which frame, body and axis it belongs to.
 
 position[t, n, k] = 1000 t + 10 n + k; frame t has t % 3 contacts; an impact happens in every fourth frame.
+Joints and springs have 1000 t + 10 row (+ axis).
 """
 
 from __future__ import annotations
@@ -15,11 +16,15 @@ from physsim.recording import Recorder, Target, layout, recorded
 TIMESTEP = 0.001
 STEPS_PER_FRAME = 10
 ATTRIBUTES = {"physsim_version": "0.0.0", "title": "Made up", "seed": np.int64(7)}
-COLUMNS = recorded(energy=True, contacts=True)
+COLUMNS = recorded(("energy", "contacts", "joints", "springs"))
 
 
 def names(bodies: int) -> list[str]:
     return ["floor", *(f"ball[{index},0,0]" for index in range(bodies - 1))]
+
+
+JOINTS = ["door", "wheel"]
+SPRINGS = ["tether"]
 
 
 def fixed_values(bodies: int) -> dict[str, Any]:
@@ -40,6 +45,24 @@ def fixed_values(bodies: int) -> dict[str, Any]:
         "pairs/source": ["library"],
         **dict.fromkeys(texts, "{}"),
         "provenance/wall_time": 0.0,
+        **_who("joints", "joint", JOINTS),
+        **_who("springs", "spring", SPRINGS),
+        "joints/coordinate_unit": ["rad"] * len(JOINTS),
+        "springs/length_unit": ["m"] * len(SPRINGS),
+        "springs/force_unit": ["N"] * len(SPRINGS),
+    }
+
+
+def _who(group: str, axis: str, labels: list[str]) -> dict[str, Any]:
+    """Between the world and body 1, tied at (1, 2, 3) of the latter."""
+    count = len(labels)
+    return {
+        f"{group}/{axis}": labels,
+        f"{group}/type": ["made up"] * count,
+        f"{group}/body_a": [-1] * count,
+        f"{group}/body_b": [1] * count,
+        f"{group}/anchor_a": np.zeros((count, 3)),
+        f"{group}/anchor_b": np.tile([1.0, 2.0, 3.0], (count, 1)),
     }
 
 
@@ -57,7 +80,11 @@ def frame(number: int, bodies: int) -> dict[str, Any]:
     for column in layout.EVERYTHING:
         if column.group in {"energy", "solver"}:
             rows[column.path] = number
-    return rows
+        elif column.group in {"joints", "springs"} and column.grows_along:
+            row, axis = np.mgrid[: len(JOINTS if column.group == "joints" else SPRINGS), :3]
+            values = 1000.0 * number + 10 * row + axis
+            rows[column.path] = values if column.dims[-1] == "axis" else values[:, 0]
+    return rows | {"joints/broken": np.full(len(JOINTS), number % 2)}
 
 
 def contacts(number: int) -> dict[str, Any]:

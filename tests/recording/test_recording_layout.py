@@ -30,6 +30,7 @@ fixed (body) 1
 energy/kinetic_translational (time) J
 energy/kinetic_rotational (time) J
 energy/gravitational (time) J
+energy/gravitation (time) J
 energy/spring (time) J
 energy/work_forces (time) J
 energy/work_motors (time) J
@@ -68,6 +69,32 @@ events/restitution_measured (event) 1
 solver/residual (time) m s-1
 solver/iterations (time) 1
 solver/contact_count (time) 1
+solver/fallbacks (time) 1
+joints/joint (joint) 1
+joints/type (joint) 1
+joints/body_a (joint) 1
+joints/body_b (joint) 1
+joints/anchor_a (joint, axis) m
+joints/anchor_b (joint, axis) m
+joints/force (time, joint, axis) N
+joints/torque (time, joint, axis) N m
+joints/coordinate (time, joint) 1
+joints/coordinate_unit (joint) 1
+joints/coordinate_2 (time, joint) 1
+joints/coordinate_3 (time, joint) 1
+joints/violation (time, joint) m
+joints/angular_violation (time, joint) rad
+joints/broken (time, joint) 1
+springs/spring (spring) 1
+springs/type (spring) 1
+springs/body_a (spring) 1
+springs/body_b (spring) 1
+springs/anchor_a (spring, axis) m
+springs/anchor_b (spring, axis) m
+springs/length (time, spring) 1
+springs/length_unit (spring) 1
+springs/force (time, spring) 1
+springs/force_unit (spring) 1
 pairs/material_a (pair) 1
 pairs/material_b (pair) 1
 pairs/restitution (pair) 1
@@ -142,8 +169,8 @@ def test_the_table_has_no_name_twice() -> None:
 
 
 def test_groups_that_are_not_recorded_are_absent() -> None:
-    groups = {column.group for column in layout.recorded(energy=False, contacts=False)}
-    assert not groups & {"energy", "contacts"}
+    groups = {column.group for column in layout.recorded(())}
+    assert not groups & {"energy", "contacts", "joints", "springs"}
     assert {"momentum", "events"} <= groups
 
 
