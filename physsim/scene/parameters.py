@@ -50,7 +50,7 @@ class Parameters:
                 "must be one ${...}, alone or with a unit behind it",
                 "put all of the arithmetic inside ${...}",
             )
-        result = evaluate(match["inside"], self._lookup)
+        result = evaluate(match["inside"], self.find)
         return self._with_unit(result, match["unit"].strip())
 
     def _with_unit(self, result: Result, unit: str) -> Result:
@@ -63,7 +63,8 @@ class Parameters:
         parsed = parse_unit(unit)
         return Result(Measure(parsed.in_si(result.measure.value), parsed.dimension), as_written=True)
 
-    def _lookup(self, name: str) -> Measure | None:
+    def find(self, name: str) -> Measure | None:
+        """The value of a parameter, None when there is none of that name. Raises BrokenParameter."""
         if name not in self._given:
             return None
         self.used.add(name)

@@ -1,9 +1,9 @@
 """Expressions of time, compiled: `sin(2*pi*t)*exp(-t)` -> a short program in postfix order.
 
 The grammar is that of `${...}`: parameters and constants may be used, and `t` is the one variable, the time
-[s]. What does not depend on `t` is computed while compiling. Seconds and radians count as plain numbers beside
-`t`, so that both `sin(2*pi*t)` and `sin(2*pi*t / period)` can be written; every other dimension is checked, and
-the result is a plain number.
+[s]. What does not depend on `t` is computed while compiling. Seconds and radians count as plain numbers
+beside `t`, so that both `sin(2*pi*t)` and `sin(2*pi*t / period)` can be written; every other dimension is
+checked, and the result is a plain number.
 
 A program is a flat list [operation, operand, operation, operand, ...] for a machine with a stack: at most
 MAX_OPERATIONS operations that need at most MAX_STACK values on the stack. CONSTANT pushes its operand, TIME

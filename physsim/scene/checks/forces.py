@@ -7,7 +7,8 @@ from itertools import pairwise
 
 from physsim.errors import PathPart, Problem
 from physsim.scene.draft import Draft
-from physsim.scene.spec.forces import ForceSpec, TableProfile
+from physsim.scene.spec.forces import ForceSpec
+from physsim.scene.spec.profiles import TableProfile
 
 Path = tuple[PathPart, ...]
 

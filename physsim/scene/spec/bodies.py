@@ -9,6 +9,7 @@ from pydantic import Field
 from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
 from physsim.scene.spec.materials import Density
+from physsim.scene.spec.motion import MotionSpec
 from physsim.scene.spec.names import ItemName
 from physsim.scene.spec.orientation import OrientationSpec
 from physsim.scene.spec.shapes import ShapeSpec
@@ -79,4 +80,12 @@ class BodySpec(Spec):
         default=_ZERO, description="In world axes [rad/s].", examples=[[0, 0, "60 rpm"]]
     )
     collides: Switch = Field(default=True, description="Whether it collides with other bodies at all.")
+    motion: MotionSpec | None = Field(
+        default=None, description="How a fixed body is moved, whatever acts on it: a shaking table, a crank."
+    )
+    surface_velocity: tuple[Speed, Speed, Speed] = Field(
+        default=_ZERO,
+        description="Velocity of its surface against the body [m/s], in body axes: a conveyor belt.",
+        examples=[["1 m/s", 0, 0]],
+    )
     repeat: RepeatSpec | None = Field(default=None, description="Set up a lattice of copies of this body.")

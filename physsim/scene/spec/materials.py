@@ -15,6 +15,7 @@ from physsim.scene.spec.values import Number
 
 Restitution = Annotated[float, Number(at_least=0, at_most=1)]
 Friction = Annotated[float, Number(at_least=0, at_most=1e6)]
+Lever = Annotated[float, Number(kinds.LENGTH, at_least=0)]
 Density = Annotated[float, Number(kinds.DENSITY, above=0)]
 MixingRule = Literal["minimum", "maximum", "mean", "geometric_mean", "harmonic_mean", "product", "error"]
 
@@ -72,6 +73,16 @@ class PairSpec(Spec):
     )
     kinetic_friction: Friction | None = Field(
         default=None, description="Coefficient mu_k while sliding, 0 to mu_s."
+    )
+    rolling_friction: Lever = Field(
+        default=0.0,
+        description="Torque against rolling, at most this length times the normal force [m], at least 0.",
+        examples=["0.5 mm"],
+    )
+    spinning_friction: Lever = Field(
+        default=0.0,
+        description="Torque against turning about the normal, at most this length times the normal force "
+        "[m], at least 0.",
     )
 
 

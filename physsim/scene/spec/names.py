@@ -16,9 +16,13 @@ LONGEST = 100
 
 @dataclass(frozen=True)
 class Name:
-    """A name: 1 to 100 printable characters, no blank at either end, no `*`; `world` is taken for bodies."""
+    """A name: 1 to 100 printable characters, no blank at either end, no `*`; `world` is taken for bodies.
+
+    pattern: whether `*` may stand for any characters.
+    """
 
     reserved: tuple[str, ...] = ()
+    pattern: bool = False
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
@@ -28,7 +32,8 @@ class Name:
     def __get_pydantic_json_schema__(
         self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        refused: list[dict[str, Any]] = [{"pattern": r"\*"}, {"enum": list(self.reserved)}]
+        refused: list[dict[str, Any]] = [] if self.pattern else [{"pattern": r"\*"}]
+        refused.append({"enum": list(self.reserved)})
         return {"type": "string", "minLength": 1, "maxLength": LONGEST, "not": {"anyOf": refused}}
 
     def read(self, value: object) -> str:
@@ -47,12 +52,14 @@ class Name:
             return f"a name must be at most {LONGEST} characters long"
         if name in self.reserved:
             return f"the name '{name}' is taken"
-        if "*" in name or not all(c.isprintable() for c in name) or name != name.strip():
+        starred = "*" in name and not self.pattern
+        if starred or not all(c.isprintable() for c in name) or name != name.strip():
             return "a name must be printable, without '*', and without blanks at its ends"
         return None
 
 
 BodyName = Annotated[str, Name(reserved=(WORLD,))]
+BodyPattern = Annotated[str, Name(reserved=(WORLD,), pattern=True)]
 BodyReference = Annotated[str, Name()]
 ItemName = Annotated[str, Name()]
 BodyPair = tuple[BodyReference, BodyReference]

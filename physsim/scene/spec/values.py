@@ -241,6 +241,26 @@ class Direction:
         return core_schema.no_info_after_validator_function(normalized, handler(source))
 
 
+class NonZero:
+    """A number of either sign that is not 0."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_after_validator_function(_not_zero, handler(source))
+
+    def __get_pydantic_json_schema__(
+        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> Schema:
+        return {**handler(core), "not": {"const": 0}}
+
+
+def _not_zero(number: float) -> float:
+    if number == 0:
+        raise slip("must not be 0")
+    return number
+
+
 def normalized(vector: tuple[float, ...]) -> tuple[float, ...]:
     """The vector at length 1; left alone when it has that length, so that reading twice changes nothing."""
     largest = max(abs(component) for component in vector)
@@ -264,6 +284,8 @@ AngularSpeed = Annotated[float, Number(kinds.ANGULAR_SPEED)]
 Acceleration = Annotated[float, Number(kinds.ACCELERATION)]
 Force = Annotated[float, Number(kinds.FORCE)]
 Torque = Annotated[float, Number(kinds.TORQUE)]
+Stiffness = Annotated[float, Number(kinds.STIFFNESS, at_least=0)]
+TurningStiffness = Annotated[float, Number(kinds.TURNING_STIFFNESS, at_least=0)]
 Position = tuple[Length, Length, Length]
 PlainVector = tuple[PlainNumber, PlainNumber, PlainNumber]
 UnitVector = Annotated[PlainVector, Direction()]

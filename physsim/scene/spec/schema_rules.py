@@ -1,0 +1,27 @@
+"""Rules between the keys of one mapping, in JSON Schema, so that editors mark what the checks refuse."""
+
+from __future__ import annotations
+
+from typing import Any
+
+Schema = dict[str, Any]
+
+
+def any_of(*keys: str) -> Schema:
+    """At least one of the keys."""
+    return {"anyOf": [{"required": [key]} for key in keys]}
+
+
+def none_of(*keys: str) -> Schema:
+    """None of the keys."""
+    return {"not": any_of(*keys)}
+
+
+def not_together(*pairs: tuple[str, str]) -> Schema:
+    """Of each pair at most one."""
+    return {"allOf": [{"not": {"required": list(pair)}} for pair in pairs]}
+
+
+def only_with(**needs: str) -> Schema:
+    """Keys that mean something only beside another one."""
+    return {"dependentRequired": {key: [other] for key, other in needs.items()}}
