@@ -1,5 +1,20 @@
-//! Joints: what they hold, what drives them.
+//! Joints: what they hold, which coordinates they leave, and what drives these.
+//!
+//! Geometry and forces only; whoever solves for joint impulses takes `Row`s. Read `layout.rs` first: the table of the
+//! kinds. A new kind is a variant in `model.rs` and a line in that table.
 
+mod joints;
+mod layout;
+mod measure;
+mod model;
+mod placement;
 mod row;
 
+pub use joints::{JointState, Joints};
+pub use model::{DriveModel, JointModel, Kind, Motor};
 pub use row::{End, Row};
+
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;

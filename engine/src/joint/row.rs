@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::body::Body;
+
 /// The part of a row's Jacobian that belongs to one body: dC/dt gains linear . v + angular . omega.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct End {
@@ -11,6 +13,15 @@ pub struct End {
     pub linear: DVec3,
     /// Of the angular velocity, world axes.
     pub angular: DVec3,
+}
+
+impl End {
+    /// linear . v + angular . omega
+    #[must_use]
+    pub fn rate(&self, bodies: &[Body]) -> f64 {
+        let body = &bodies[self.body];
+        self.linear.dot(body.state.velocity) + self.angular.dot(body.angular_velocity)
+    }
 }
 
 /// C, its Jacobian, and what is left of its second derivative.
@@ -29,9 +40,75 @@ pub struct Row {
 }
 
 impl Row {
+    /// A row between two bodies.
+    #[must_use]
+    pub fn between(a: End, b: End, value: f64, bias: f64, angular: bool) -> Self {
+        let unused = End::default();
+        Self {
+            ends: [a, b, unused, unused],
+            count: 2,
+            value,
+            bias,
+            angular,
+        }
+    }
+
     /// The part of the Jacobian that is in use.
     #[must_use]
     pub fn ends(&self) -> &[End] {
         &self.ends[..self.count]
+    }
+
+    /// dC/dt [m/s or rad/s].
+    #[must_use]
+    pub fn rate(&self, bodies: &[Body]) -> f64 {
+        self.ends().iter().map(|end| end.rate(bodies)).sum()
+    }
+
+    /// Change of dC/dt by a unit impulse along the row on bodies that nothing else holds: J M^-1 J^T.
+    #[must_use]
+    pub fn mobility(&self, bodies: &[Body]) -> f64 {
+        let of = |end: &End| {
+            let body = &bodies[end.body];
+            body.mass.inverse_mass * end.linear.length_squared()
+                + end.angular.dot(body.inverse_inertia * end.angular)
+        };
+        self.ends().iter().map(of).sum()
+    }
+
+    /// The row of `factor` times C.
+    #[must_use]
+    pub fn scaled(mut self, factor: f64) -> Self {
+        for end in &mut self.ends[..self.count] {
+            end.linear *= factor;
+            end.angular *= factor;
+        }
+        self.value *= factor;
+        self.bias *= factor;
+        self
+    }
+
+    /// The row of the sum of both C; ends on the same body become one. Four bodies at most.
+    #[must_use]
+    pub fn plus(mut self, other: &Self) -> Self {
+        self.value += other.value;
+        self.bias += other.bias;
+        for end in other.ends() {
+            self.add_end(end);
+        }
+        self
+    }
+
+    fn add_end(&mut self, end: &End) {
+        let known = self.ends[..self.count]
+            .iter_mut()
+            .find(|e| e.body == end.body);
+        if let Some(known) = known {
+            known.linear += end.linear;
+            known.angular += end.angular;
+        } else {
+            self.ends[self.count] = *end;
+            self.count += 1;
+        }
     }
 }
