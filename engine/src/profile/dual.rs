@@ -3,7 +3,7 @@
 //! For f(a(t)) the rate is f'(a) da/dt; Griewank & Walther 2008, Evaluating Derivatives, 2nd ed., chapter 3. Where a
 //! function has a kink the rate is the one to the right, where it jumps the rate is 0.
 
-use std::f64::consts::{LN_10, PI};
+use std::f64::consts::LN_10;
 
 use super::program::{Binary, Unary};
 
@@ -53,8 +53,6 @@ impl Dual {
             Unary::Floor => Self::constant(x.floor()),
             Unary::Ceil => Self::constant(x.ceil()),
             Unary::Round => Self::constant(x.round_ties_even()),
-            Unary::Radians => self.map(x * (PI / 180.0), PI / 180.0),
-            Unary::Degrees => self.map(x * (180.0 / PI), 180.0 / PI),
             Unary::Sinh => self.map(libm::sinh(x), libm::cosh(x)),
             Unary::Cosh => self.map(libm::cosh(x), libm::sinh(x)),
             Unary::Tanh => {
@@ -80,11 +78,6 @@ impl Dual {
                 of(quotient, rate)
             }
             Binary::Power => a.power(b),
-            Binary::FloorDivide => Self::constant((a.value / b.value).floor()),
-            Binary::Modulo => {
-                let whole = (a.value / b.value).floor();
-                of(modulo(a.value, b.value), a.rate - scaled(b.rate, whole))
-            }
             Binary::Atan2 => {
                 let square = a.value * a.value + b.value * b.value;
                 let turn = scaled(a.rate, b.value / square) - scaled(b.rate, a.value / square);
@@ -130,15 +123,5 @@ fn scaled(rate: f64, derivative: f64) -> f64 {
         0.0
     } else {
         rate * derivative
-    }
-}
-
-/// The remainder that has the sign of the divisor.
-fn modulo(a: f64, b: f64) -> f64 {
-    let rest = libm::fmod(a, b);
-    if rest != 0.0 && (rest < 0.0) != (b < 0.0) {
-        rest + b
-    } else {
-        rest
     }
 }

@@ -2,9 +2,8 @@
 
 use super::dual::Dual;
 
-/// Values that may wait on the stack. Scenes bound an expression to 500 characters, and every value that waits costs
-/// at least two of them.
-const STACK: usize = 256;
+/// Values that may wait on the stack; the scene's compiler has the same bound.
+const STACK: usize = 64;
 
 /// Functions of one value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,8 +23,6 @@ pub(super) enum Unary {
     Floor,
     Ceil,
     Round,
-    Radians,
-    Degrees,
     Sinh,
     Cosh,
     Tanh,
@@ -39,8 +36,6 @@ pub(super) enum Binary {
     Multiply,
     Divide,
     Power,
-    FloorDivide,
-    Modulo,
     Atan2,
     Min,
     Max,
@@ -73,8 +68,6 @@ impl Op {
             5 => Self::Binary(Binary::Divide),
             6 => Self::Binary(Binary::Power),
             7 => Self::Unary(Unary::Negate),
-            8 => Self::Binary(Binary::FloorDivide),
-            9 => Self::Binary(Binary::Modulo),
             20 => Self::Unary(Unary::Sin),
             21 => Self::Unary(Unary::Cos),
             22 => Self::Unary(Unary::Tan),
@@ -91,8 +84,6 @@ impl Op {
             33 => Self::Unary(Unary::Ceil),
             34 => Self::Binary(Binary::Min),
             35 => Self::Binary(Binary::Max),
-            36 => Self::Unary(Unary::Radians),
-            37 => Self::Unary(Unary::Degrees),
             38 => Self::Binary(Binary::Hypot),
             39 => Self::Unary(Unary::Sinh),
             40 => Self::Unary(Unary::Cosh),

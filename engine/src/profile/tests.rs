@@ -67,7 +67,7 @@ fn rates_agree_with_differences() {
         for t in [0.05, 0.3, 0.45, 0.77, 1.3, 2.0] {
             let rate = (profile.value(t + h) - profile.value(t - h)) / (2.0 * h);
             let error = profile.value_and_rate(t).1 - rate;
-            assert!(error.abs() < 1e-7, "{profile:?} {t} {error}"); // measured 1e-9
+            assert!(error.abs() < 1e-7, "{profile:?} {t} {error}"); // measured 6e-10
         }
     }
 }
@@ -76,7 +76,7 @@ fn rates_agree_with_differences() {
 #[test]
 fn every_instruction_computes_what_its_name_says() {
     let t = 0.6_f64;
-    let unary: [(i32, f64); 20] = [
+    let unary: [(i32, f64); 18] = [
         (7, -t),
         (20, t.sin()),
         (21, t.cos()),
@@ -91,21 +91,17 @@ fn every_instruction_computes_what_its_name_says() {
         (31, t),
         (32, 0.0),
         (33, 1.0),
-        (36, t.to_radians()),
-        (37, t.to_degrees()),
         (39, t.sinh()),
         (40, t.cosh()),
         (41, t.tanh()),
         (42, 1.0),
     ];
-    let binary: [(i32, f64); 11] = [
+    let binary: [(i32, f64); 9] = [
         (2, 1.5 + t * t),
         (3, 1.5 - t * t),
         (4, 1.5 * t * t),
         (5, 1.5 / (t * t)),
         (6, 1.5_f64.powf(t * t)),
-        (8, 4.0),
-        (9, 1.5 - 4.0 * t * t),
         (26, 1.5_f64.atan2(t * t)),
         (34, t * t),
         (35, 1.5),
@@ -169,15 +165,6 @@ fn kinks_take_the_rate_to_the_right() {
 }
 
 #[test]
-fn modulo_has_the_sign_of_the_divisor() {
-    let of = |a: f64, b: f64| program(&[(0, a), (0, b), (9, 0.0)]).value(0.0);
-    assert_eq!(of(-1.0, 3.0), 2.0);
-    assert_eq!(of(1.0, -3.0), -2.0);
-    assert_eq!(of(7.0, 3.0), 1.0);
-    assert_eq!(of(6.0, -3.0), 0.0);
-}
-
-#[test]
 fn what_is_no_program_is_refused() {
     let refuse = |pairs: &[f64]| Program::new(pairs).unwrap_err();
     assert!(refuse(&[0.0]).contains("pairs"));
@@ -187,7 +174,7 @@ fn what_is_no_program_is_refused() {
     assert!(refuse(&[1.0, 0.0, 2.0, 0.0]).contains("not there"));
     assert!(refuse(&[1.0, 0.0, 1.0, 0.0]).contains("leaves 2"));
     assert!(refuse(&[]).contains("leaves 0"));
-    assert!(refuse(&[1.0, 0.0].repeat(300)).contains("more than 256"));
+    assert!(refuse(&[1.0, 0.0].repeat(300)).contains("more than 64"));
 }
 
 #[test]
@@ -217,7 +204,7 @@ fn integrals_agree_with_trapezoids() {
         let integral = Integral::new(shared(profile.clone()));
         for t in [0.1, 0.4, 1.0, 3.0] {
             let error = integral.value(t) - quadrature(&profile, t);
-            assert!(error.abs() < 1e-5, "{profile:?} {t} {error}"); // measured 7e-6 at the step, 3e-10 else
+            assert!(error.abs() < 1e-5, "{profile:?} {t} {error}"); // measured 8e-6 at the step, 3e-10 else
         }
         assert_eq!(integral.value(-1.0), 0.0);
     }
@@ -232,7 +219,7 @@ fn expressions_integrate_to_rounding() {
         let w = TAU;
         let exact = (w - (-t).exp() * ((w * t).sin() + w * (w * t).cos())) / (1.0 + w * w);
         let error = integral.value(t) - exact;
-        assert!(error.abs() < 1e-15, "{t} {error}"); // measured 2e-16
+        assert!(error.abs() < 1e-15, "{t} {error}"); // measured 1e-16
     }
 }
 
@@ -241,7 +228,7 @@ fn expressions_integrate_to_rounding() {
 fn expressions_with_kinks_integrate_well() {
     let profile = program(&[(0, 40.0 * PI), (1, 0.0), (4, 0.0), (20, 0.0), (31, 0.0)]);
     let error = Integral::new(shared(profile)).value(2.0) - 4.0 / PI;
-    assert!(error.abs() < 1e-9, "{error}");
+    assert!(error.abs() < 1e-9, "{error}"); // measured 1.5e-11
 }
 
 #[test]
