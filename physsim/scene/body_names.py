@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping
 
+from physsim.scene.patterns import matches
 from physsim.scene.repeat import copies, copy_name, names_of
 from physsim.scene.spec.bodies import BodySpec
 from physsim.scene.spec.names import WORLD
@@ -28,6 +29,10 @@ class BodyNames:
         """All names that are known."""
         for name, body in self._bodies.items():
             yield from (name,) if body is None else names_of(name, body)
+
+    def fitting(self, pattern: str) -> Iterator[str]:
+        """All names that fit a pattern, in which `*` stands for any characters."""
+        return (name for name in self.every() if matches(pattern, name))
 
     def trouble(self, name: str, world: bool = False) -> tuple[str, str | None] | None:
         """What is wrong with a reference to a body: a message and a hint; None when there is such a body.

@@ -74,7 +74,7 @@ def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Sc
         raise SceneError(told_in_order(problems), source.name)
     problems += apply_overrides(root, overrides)
     places = Places(root, source.text)
-    reading = Reading(_parameters(root))
+    reading = Reading(_parameters(root), _joint_types(root))
     spec, found = _validated(root, reading, places, source.folder)
     problems = _once_per_place(problems, found)
     if spec is None or problems:
@@ -126,6 +126,13 @@ def _parameters(root: nodes.Mapping) -> Parameters:
     entry = root.entries.get("parameters")
     given = nodes.plain(entry.node) if entry is not None else None
     return Parameters(given if isinstance(given, dict) else {})
+
+
+def _joint_types(root: nodes.Mapping) -> dict[str, str]:
+    entry = root.entries.get("joints")
+    given = nodes.plain(entry.node) if entry is not None else None
+    joints = given.items() if isinstance(given, dict) else ()
+    return {name: str(joint.get("type")) for name, joint in joints if isinstance(joint, dict)}
 
 
 def _validated(

@@ -1,4 +1,4 @@
-"""Patterns of `no_contact`: a name in which `*` stands for any characters, none included."""
+"""Patterns of `no_contact` and `forces`: a name in which `*` stands for any characters, none included."""
 
 from __future__ import annotations
 

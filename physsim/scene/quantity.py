@@ -4,32 +4,44 @@
     bodies.NAME.position | velocity | angular_velocity [.x | .y | .z]
     bodies.NAME.orientation [.w | .x | .y | .z]     unit quaternion
     bodies.NAME.speed | angular_speed               length of velocity, of angular_velocity
+    springs.NAME.length | force                     of a linear spring; positive force pulls the ends together
+    springs.NAME.angle | torque                     of a torsional spring; positive torque turns it back
+    joints.NAME.force | torque [.x | .y | .z]       reaction on the first body, torque about the anchor
+    joints.NAME.reaction                            length of the force
+    joints.NAME.coordinate | coordinate_2 | coordinate_3    angles and travels of the second body
+    joints.NAME.violation | angular_violation       how far the joint is from its constraints [m], [rad]
     energy.TERM                                     a term of the ledger, kinetic (sum), total (of the state)
     momentum.linear | angular [.x | .y | .z]        of the whole scene
     contacts.count                                  contact points
     solver.residual | iterations                    of the last step
+    solver.fallbacks                                steps so far in which located impacts fell back to stepped
 
 NAME may hold dots and brackets (`bodies.brick[0,0,3].position.z`): what follows it is known, so it is read
-from the right. Only names and dimensions are known here; values are for those who read trajectories.
+from the right. Only names and dimensions are known here; values are for those who read trajectories. Whether
+a joint's coordinate is an angle or a length says the scene.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 from physsim.scene.spec import kinds
+from physsim.scene.spec.joints import COORDINATES, is_angle
 from physsim.scene.spec.kinds import Kind
 from physsim.scene.suggest import did_you_mean
 
-Group = Literal["time", "bodies", "energy", "momentum", "contacts", "solver"]
+Group = Literal["time", "bodies", "springs", "joints", "energy", "momentum", "contacts", "solver"]
+Described = tuple[Kind, tuple[str, ...]]
 _XYZ, _WXYZ = ("x", "y", "z"), ("w", "x", "y", "z")
 
 ENERGY_TERMS = (
     "kinetic_translational",
     "kinetic_rotational",
     "gravitational",
+    "gravitation",
     "spring",
     "work_forces",
     "work_motors",
@@ -41,23 +53,46 @@ ENERGY_TERMS = (
     "kinetic",
     "total",
 )
-_BODY_FIELDS: dict[str, tuple[Kind, tuple[str, ...]]] = {
-    "position": (kinds.LENGTH, _XYZ),
-    "orientation": (kinds.NUMBER, _WXYZ),
-    "velocity": (kinds.SPEED, _XYZ),
-    "angular_velocity": (kinds.ANGULAR_SPEED, _XYZ),
-    "speed": (kinds.SPEED, ()),
-    "angular_speed": (kinds.ANGULAR_SPEED, ()),
+COORDINATE_FIELDS = ("coordinate", "coordinate_2", "coordinate_3")
+_NAMED: dict[str, dict[str, Described]] = {
+    "bodies": {
+        "position": (kinds.LENGTH, _XYZ),
+        "orientation": (kinds.NUMBER, _WXYZ),
+        "velocity": (kinds.SPEED, _XYZ),
+        "angular_velocity": (kinds.ANGULAR_SPEED, _XYZ),
+        "speed": (kinds.SPEED, ()),
+        "angular_speed": (kinds.ANGULAR_SPEED, ()),
+    },
+    "springs": {
+        "length": (kinds.LENGTH, ()),
+        "force": (kinds.FORCE, ()),
+        "angle": (kinds.ANGLE, ()),
+        "torque": (kinds.TORQUE, ()),
+    },
+    "joints": {
+        "force": (kinds.FORCE, _XYZ),
+        "torque": (kinds.TORQUE, _XYZ),
+        "reaction": (kinds.FORCE, ()),
+        **dict.fromkeys(COORDINATE_FIELDS, (kinds.COORDINATE, ())),
+        "violation": (kinds.LENGTH, ()),
+        "angular_violation": (kinds.ANGLE, ()),
+    },
 }
-_FIELDS: dict[str, dict[str, tuple[Kind, tuple[str, ...]]]] = {
+_FIELDS: dict[str, dict[str, Described]] = {
     "energy": dict.fromkeys(ENERGY_TERMS, (kinds.ENERGY, ())),
     "momentum": {"linear": (kinds.LINEAR_MOMENTUM, _XYZ), "angular": (kinds.ANGULAR_MOMENTUM, _XYZ)},
     "contacts": {"count": (kinds.NUMBER, ())},
-    "solver": {"residual": (kinds.SPEED, ()), "iterations": (kinds.NUMBER, ())},
+    "solver": {
+        "residual": (kinds.SPEED, ()),
+        "iterations": (kinds.NUMBER, ()),
+        "fallbacks": (kinds.NUMBER, ()),
+    },
 }
-_BODY = re.compile(
-    r"(?P<body>.+)\.(?P<field>" + "|".join(_BODY_FIELDS) + r")(?:\.(?P<component>[^.]*))?\Z", re.DOTALL
-)
+_OWNER = {"bodies": "a body", "springs": "a spring", "joints": "a joint"}
+_PATTERNS = {
+    group: re.compile(rf"(?P<name>.+)\.(?P<field>{'|'.join(fields)})(?:\.(?P<component>[^.]*))?\Z", re.DOTALL)
+    for group, fields in _NAMED.items()
+}
 
 
 class QuantityError(ValueError):
@@ -74,8 +109,8 @@ class Quantity:
     """One quantity of a trajectory.
 
     group: the part of the trajectory; field: the name in it (`time` for time).
-    body: the body's name, None outside of bodies. component: x, y, z (or w), None for scalars and whole
-    vectors.
+    name: of the body, the spring or the joint; None elsewhere. component: x, y, z (or w), None for scalars
+    and whole vectors.
     components: those the field has, empty for a scalar. kind: what it measures, with the SI unit.
     """
 
@@ -84,8 +119,13 @@ class Quantity:
     field: str
     kind: Kind
     components: tuple[str, ...] = ()
-    body: str | None = None
+    name: str | None = None
     component: str | None = None
+
+    @property
+    def body(self) -> str | None:
+        """The body's name, None outside of bodies."""
+        return self.name if self.group == "bodies" else None
 
     @property
     def is_scalar(self) -> bool:
@@ -98,30 +138,47 @@ class Quantity:
         return self.components.index(self.component) if self.component is not None else None
 
 
-def parse_quantity(text: str) -> Quantity:
-    """Read the name of a quantity. Raises QuantityError."""
+def parse_quantity(text: str, joint_types: Mapping[str, str] | None = None) -> Quantity:
+    """Read the name of a quantity. Raises QuantityError.
+
+    joint_types: type of each joint by name, from which follows whether its coordinates are angles or lengths;
+    without it their kind is `kinds.COORDINATE`, which is either.
+    """
     group, _, rest = text.partition(".")
     if text == "time":
         return Quantity(text, "time", "time", kinds.TIME)
-    if group == "bodies":
-        return _of_body(text, rest)
+    if group in _NAMED:
+        return _of_named(text, group, rest, joint_types or {})
     if group in _FIELDS:
         return _of_scene(text, group, rest)
-    known = ["time", "bodies", *_FIELDS]
+    known = ["time", *_NAMED, *_FIELDS]
     raise QuantityError(
         "names no quantity", did_you_mean(group, known), f"one that begins with {', '.join(known)}"
     )
 
 
-def _of_body(text: str, rest: str) -> Quantity:
-    match = _BODY.match(rest)
+def _of_named(text: str, group: str, rest: str, joint_types: Mapping[str, str]) -> Quantity:
+    known = _NAMED[group]
+    match = _PATTERNS[group].match(rest)
     if not match:
-        body, _, field = rest.rpartition(".")
-        hint = did_you_mean(field, _BODY_FIELDS) if body else None
-        raise QuantityError("names no quantity of a body", hint, f"bodies.NAME.({' | '.join(_BODY_FIELDS)})")
-    kind, components = _BODY_FIELDS[match["field"]]
+        name, _, field = rest.rpartition(".")
+        hint = did_you_mean(field, known) if name else None
+        allowed = f"{group}.NAME.({' | '.join(known)})"
+        raise QuantityError(f"names no quantity of {_OWNER[group]}", hint, allowed)
+    kind, components = known[match["field"]]
+    if kind is kinds.COORDINATE:
+        kind = _coordinate_kind(joint_types.get(match["name"]), match["field"])
     component = _component(match["component"], match["field"], components)
-    return Quantity(text, "bodies", match["field"], kind, components, match["body"], component)
+    return Quantity(text, group, match["field"], kind, components, match["name"], component)  # type: ignore[arg-type]
+
+
+def _coordinate_kind(joint_type: str | None, field: str) -> Kind:
+    """An angle or a length; either when the joint is not known or has no such coordinate."""
+    coordinates = COORDINATES.get(joint_type or "", ())
+    i = COORDINATE_FIELDS.index(field)
+    if i >= len(coordinates):
+        return kinds.COORDINATE
+    return kinds.ANGLE if is_angle(coordinates[i]) else kinds.LENGTH
 
 
 def _of_scene(text: str, group: str, rest: str) -> Quantity:

@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from physsim.errors import Problem
-from physsim.scene.checks import bodies, connections, expect, forces, materials, no_contact, timing
+from physsim.scene.checks import (
+    bodies,
+    expect,
+    forces,
+    joints,
+    materials,
+    motion,
+    no_contact,
+    springs,
+    timing,
+)
 from physsim.scene.draft import Draft
 from physsim.scene.not_yet import refusals
 
@@ -13,7 +23,9 @@ ALL = (
     timing.check,
     materials.check,
     bodies.check,
-    connections.check,
+    motion.check,
+    springs.check,
+    joints.check,
     forces.check,
     no_contact.check,
     expect.check,

@@ -117,7 +117,7 @@ def _fixed_only(path: Path, body: BodySpec) -> Iterator[Problem]:
 def _motion(path: Path, body: BodySpec) -> Iterator[Problem]:
     for key in ("velocity", "angular_velocity"):
         if body.fixed and any(getattr(body, key)):
-            yield Problem((*path, key), "must be zero: the body is fixed")
+            yield Problem((*path, key), "must be zero: the body is fixed", hint="give motion to move it")
 
 
 def _files(path: Path, body: BodySpec, draft: Draft) -> Iterator[Problem]:

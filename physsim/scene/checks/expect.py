@@ -1,12 +1,19 @@
-"""Expectations: bodies that exist, times within the run."""
+"""Expectations: bodies, springs and joints that exist and have what is asked, times within the run."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 from physsim.errors import Problem
 from physsim.scene.draft import Draft
+from physsim.scene.quantity import COORDINATE_FIELDS, Quantity
+from physsim.scene.spec.joints import COORDINATES
 from physsim.scene.spec.simulation import ROUNDING
+from physsim.scene.suggest import did_you_mean
+
+Trouble = tuple[str, str | None]
+_OF_SPRING = {"length": "linear", "force": "linear", "angle": "torsional", "torque": "torsional"}
 
 
 def check(draft: Draft) -> Iterator[Problem]:
@@ -14,11 +21,42 @@ def check(draft: Draft) -> Iterator[Problem]:
     for i, entry in enumerate(draft.expect):
         if entry is None:
             continue
-        body = entry.parsed.body
-        trouble = draft.body_names.trouble(body) if body is not None else None
+        trouble = _trouble(entry.parsed, draft)
         if trouble:
             yield Problem(("expect", i, "quantity"), trouble[0], hint=trouble[1])
         yield from _moment(i, entry.at, draft)
+
+
+def _trouble(quantity: Quantity, draft: Draft) -> Trouble | None:
+    """What is wrong with the body, spring or joint that is named; None when nothing is."""
+    name = quantity.name
+    if name is None:
+        return None
+    if quantity.group == "springs":
+        return _unknown(name, "spring", draft.springs) or _of_spring(quantity, draft.springs[name])
+    if quantity.group == "joints":
+        return _unknown(name, "joint", draft.joints) or _of_joint(quantity, draft.joints[name])
+    return draft.body_names.trouble(name)
+
+
+def _unknown(name: str, word: str, known: Mapping[str, Any]) -> Trouble | None:
+    return None if name in known else (f"there is no {word} '{name}'", did_you_mean(name, known))
+
+
+def _of_spring(quantity: Quantity, spring: Any) -> Trouble | None:
+    if spring is None or spring.type == _OF_SPRING[quantity.field]:
+        return None
+    other = {"length": "angle", "force": "torque", "angle": "length", "torque": "force"}[quantity.field]
+    return f"a {spring.type} spring has no {quantity.field}", f"it has {other}"
+
+
+def _of_joint(quantity: Quantity, joint: Any) -> Trouble | None:
+    if joint is None or quantity.field not in COORDINATE_FIELDS:
+        return None
+    has = COORDINATE_FIELDS[: len(COORDINATES.get(joint.type, ()))]
+    if quantity.field in has:
+        return None
+    return f"a {joint.type} joint has no {quantity.field}", f"it has {', '.join(has)}" if has else None
 
 
 def _moment(i: int, at: float | str, draft: Draft) -> Iterator[Problem]:

@@ -55,5 +55,7 @@ def _pair(path: Path, pair: PairSpec, draft: Draft) -> Iterator[Problem]:
     for k, name in enumerate(pair.between):
         yield from unknown_material((*path, "between", k), name, draft)
     yield from _friction(path, pair)
-    if pair.restitution is None and pair.static_friction is None and pair.kinetic_friction is None:
-        yield Problem(path, "says nothing: give restitution, static_friction or kinetic_friction")
+    coefficients = (pair.restitution, pair.static_friction, pair.kinetic_friction)
+    turning = (pair.rolling_friction, pair.spinning_friction)
+    if all(number is None for number in coefficients) and not any(turning):
+        yield Problem(path, "says nothing: give restitution or a friction")

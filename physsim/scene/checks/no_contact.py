@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from physsim.errors import Problem
 from physsim.scene.draft import Draft
-from physsim.scene.patterns import matches
 from physsim.scene.suggest import did_you_mean
 
 # Patterns times bodies that are compared: some seconds at most.
@@ -31,4 +30,4 @@ def check(draft: Draft) -> Iterator[Problem]:
 def _names_a_body(pattern: str, draft: Draft) -> bool:
     if "*" not in pattern:
         return draft.body_names.trouble(pattern) is None
-    return any(matches(pattern, name) for name in draft.body_names.every())
+    return any(draft.body_names.fitting(pattern))

@@ -5,12 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationInfo, model_validator
+from pydantic import (
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    PrivateAttr,
+    ValidationInfo,
+    model_validator,
+)
 from pydantic_core import core_schema
 
 from physsim.scene.quantity import Quantity, QuantityError, parse_quantity
 from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
+from physsim.scene.spec.reading import reading_of
 from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Bounds, Number, Text, in_kind, measure, number_schema, within
 
@@ -53,7 +61,7 @@ class OfQuantity:
     def read(self, value: object, info: ValidationInfo) -> float:
         """The value in the SI unit of the quantity; of any dimension when the quantity itself is wrong."""
         name = (info.data or {}).get("quantity")
-        kind = parse_quantity(name).kind if name is not None else kinds.ANYTHING
+        kind = kinds.ANYTHING if name is None else parse_quantity(name, reading_of(info).joint_types).kind
         return within(in_kind(measure(value, info, kind), kind), Bounds(at_least=self.at_least), kind)
 
 
@@ -75,7 +83,7 @@ class ExpectSpec(Spec):
 
     quantity: Annotated[str, QuantityText(300)] = Field(
         description="What is looked at: one number per frame.",
-        examples=["bodies.crate.position.z", "energy.total"],
+        examples=["bodies.crate.position.z", "joints.hinge.coordinate", "energy.total"],
     )
     at: Annotated[float | Literal["end"], Moment(kinds.TIME, at_least=0)] = Field(
         default="end",
@@ -95,8 +103,11 @@ class ExpectSpec(Spec):
         default=None, description="Greatest value that is accepted."
     )
 
+    _parsed: Quantity = PrivateAttr()
+
     @model_validator(mode="after")
-    def _something_to_check(self) -> ExpectSpec:
+    def _something_to_check(self, info: ValidationInfo) -> ExpectSpec:
+        self._parsed = parse_quantity(self.quantity, reading_of(info).joint_types)
         if self.value is not None and self.within is None:
             raise slip("needs within beside value: how far off it may be", at=("value",), points_at_key=True)
         if self.within is not None and self.value is None:
@@ -109,5 +120,5 @@ class ExpectSpec(Spec):
 
     @property
     def parsed(self) -> Quantity:
-        """The quantity, read."""
-        return parse_quantity(self.quantity)
+        """The quantity, read; what a joint's coordinate measures is known from its type."""
+        return self._parsed

@@ -38,6 +38,7 @@ class Kind:
 
 
 ANYTHING = Kind("a number with any unit", "", (), 1e-300, 1e60, any_unit=True)
+COORDINATE = Kind("an angle or a length", "", (), 1e-300, 1e60, any_unit=True)
 NUMBER = Kind("a number", "", (), 1e-300, 1e30)
 LENGTH = Kind("a length", "m", ("mm", "cm", "km", "in", "ft"), 1e-9, 1e15)
 AREA = Kind("an area", "m^2", ("cm^2", "mm^2"), 1e-18, 1e30)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -13,9 +14,13 @@ if TYPE_CHECKING:
 
 @dataclass
 class Reading:
-    """One validation: the parameters, and which model each mapping (by identity) was read as."""
+    """One validation: the parameters, and which model each mapping (by identity) was read as.
+
+    joint_types: the type of each joint by name, as it was written.
+    """
 
     parameters: Parameters
+    joint_types: Mapping[str, str] = field(default_factory=dict)
     models: dict[int, type[BaseModel]] = field(default_factory=dict)
 
 
