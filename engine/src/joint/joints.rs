@@ -212,27 +212,26 @@ impl Joints {
         self.placed_row(joint, k, &at, &Motion::new(&at, bodies))
     }
 
+    /// Coordinate `k` of joint `j`.
+    pub(super) fn placed_coordinate(&self, j: usize, k: usize, bodies: &[Body]) -> f64 {
+        let joint = &self.joints[j];
+        self.placed(joint, k, &Placement::new(&joint.mounts, bodies))
+    }
+
     fn angle_row(&self, j: usize, bodies: &[Body]) -> Row {
         self.coordinate_row(j, first_angle(&self.joints[j]), bodies)
     }
 
     fn angle(&self, j: usize, bodies: &[Body]) -> f64 {
-        let joint = &self.joints[j];
-        self.placed(
-            joint,
-            first_angle(joint),
-            &Placement::new(&joint.mounts, bodies),
-        )
+        self.placed_coordinate(j, first_angle(&self.joints[j]), bodies)
     }
 
     /// Count the turns of angles; once a step, while no angle has gone further than half a turn.
     pub fn observe(&mut self, bodies: &[Body]) {
         for j in 0..self.joints.len() {
-            let joint = &self.joints[j];
-            let at = Placement::new(&joint.mounts, bodies);
-            for k in 0..joint.coordinates().len() {
-                let joint = &self.joints[j];
-                self.state.seen[joint.first_coordinate + k] = self.placed(joint, k, &at);
+            let first = self.joints[j].first_coordinate;
+            for k in 0..self.joints[j].coordinates().len() {
+                self.state.seen[first + k] = self.placed_coordinate(j, k, bodies);
             }
         }
     }
@@ -241,8 +240,7 @@ impl Joints {
     #[must_use]
     pub fn coordinate(&self, j: usize, k: usize, bodies: &[Body]) -> Option<f64> {
         let joint = &self.joints[j];
-        (k < joint.coordinates().len())
-            .then(|| self.placed(joint, k, &Placement::new(&joint.mounts, bodies)))
+        (k < joint.coordinates().len()).then(|| self.placed_coordinate(j, k, bodies))
     }
 
     /// How far joint `j` is from holding: root of the sum of squares of its rows, lengths [m] and angles [rad] apart.
@@ -266,7 +264,7 @@ impl Joints {
         (lengths.sqrt(), angles.sqrt())
     }
 
-    /// Impulse [N s] and turning impulse [N m s] on body A that these rows of joint `j` pass on: the sum of `J_A`^T lambda,
+    /// Impulse [N s] and turning impulse [N m s] on body A that these rows of joint `j` pass on: the sum of J_A^T lambda,
     /// the turning impulse about the anchor of A. With forces instead of impulses: force and torque.
     ///
     /// `rows` and `impulses` are those of the joint alone, bilateral or of its drives. Of a gear: on its first wheel.

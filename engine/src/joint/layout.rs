@@ -12,7 +12,7 @@ pub(super) enum Equation {
     Length,
     /// travel - pitch * angle = 0
     Thread,
-    /// `angle_2` - ratio * `angle_1` = 0
+    /// angle_2 - ratio * angle_1 = 0
     Gear,
 }
 

@@ -34,7 +34,7 @@ pub(super) enum Measure {
 /// Below this sine or cosine a direction is rounding noise, and any direction does.
 const NO_DIRECTION: f64 = 1e-9;
 
-/// A function of the relative rotation: value, Jacobian of `omega_B` (that of `omega_A` is the opposite), first and second
+/// A function of the relative rotation: value, Jacobian of omega_B (that of omega_A is the opposite), first and second
 /// time derivative without accelerations.
 #[derive(Clone, Copy)]
 struct Slope {

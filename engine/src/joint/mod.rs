@@ -3,17 +3,22 @@
 //! Geometry and forces only; whoever solves for joint impulses takes `Row`s. Read `layout.rs` first: the table of the
 //! kinds. A new kind is a variant in `model.rs` and a line in that table.
 
+mod drive;
 mod joints;
 mod layout;
 mod measure;
 mod model;
 mod placement;
+mod pull;
 mod row;
 
+pub use drive::{Cause, DriveRow};
 pub use joints::{JointState, Joints};
 pub use model::{DriveModel, JointModel, Kind, Motor};
 pub use row::{End, Row};
 
+#[cfg(test)]
+mod drive_tests;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]

@@ -38,7 +38,7 @@ pub enum Kind {
         /// [m/rad]
         pitch: f64,
     },
-    /// `angle_2` = ratio * `angle_1` of two other joints.
+    /// angle_2 = ratio * angle_1 of two other joints.
     Gear {
         /// Without unit.
         ratio: f64,
@@ -60,7 +60,7 @@ pub struct JointModel {
     pub anchors: [DVec3; 2],
     /// Joint frames -> body axes. Coordinates are zero where both frames coincide.
     pub frames: [DQuat; 2],
-    /// c of the torque -c (`omega_B` - `omega_A`) on B [N m s/rad].
+    /// c of the torque -c (omega_B - omega_A) on B [N m s/rad].
     pub damping: f64,
     /// Force [N] that breaks it, infinite for never.
     pub break_force: f64,

@@ -10,7 +10,7 @@ use crate::body::Body;
 use crate::math::rotation_from_vector;
 
 /// The bodies after the time t at constant velocities.
-fn moved(bodies: &[Body], t: f64) -> Vec<Body> {
+pub(super) fn moved(bodies: &[Body], t: f64) -> Vec<Body> {
     let later = |b: &Body| {
         body(
             b.state.position + t * b.state.velocity,
