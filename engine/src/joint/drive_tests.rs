@@ -148,6 +148,38 @@ fn a_cone_has_a_rim() {
     assert!((upright.row.value - 0.5).abs() < 1e-15 && upright.row.bias == 0.0);
 }
 
+/// A rope from 0 to 2 m is slack however fast its ends pass each other.
+#[test]
+fn a_distance_of_zero_is_no_limit() {
+    let bodies = vec![
+        world(),
+        body(
+            DVec3::X * 0.01,
+            DQuat::IDENTITY,
+            DVec3::X * -50.0,
+            DVec3::ZERO,
+        ),
+    ];
+    let mut model = join(Kind::Stops, [0, 1], DVec3::ZERO, DQuat::IDENTITY, &bodies);
+    model.anchors = [DVec3::ZERO; 2];
+    let rope = |low: f64| {
+        let drive = DriveModel {
+            limits: [low, 2.0],
+            ..DriveModel::free(0, 0)
+        };
+        let joints = Joints::new(vec![model.clone()], vec![drive], &bodies);
+        rows(&joints, &bodies, 0.0)[1]
+    };
+    let slack = rope(0.0);
+    assert!(
+        (slack.row.value - 1.99).abs() < 1e-15 && (slack.row.rate(&bodies) - 50.0).abs() < 1e-12
+    );
+    let strut = rope(0.005);
+    assert!(
+        (strut.row.value - 0.005).abs() < 1e-15 && (strut.row.rate(&bodies) + 50.0).abs() < 1e-12
+    );
+}
+
 fn forces(joints: &Joints, bodies: &[Body], time: f64) -> (Vec<Wrench>, Powers) {
     let mut wrenches = vec![Wrench::default(); bodies.len()];
     let powers = joints.add_forces(bodies, time, &mut wrenches);

@@ -51,7 +51,7 @@ pub struct Joints {
 }
 
 impl Joints {
-    /// As the bodies stand now; angles start within half a turn of zero.
+    /// As the bodies stand now; angles start within half a turn of zero. The models must pass `check`.
     ///
     /// `drives` keep their order; after them comes one for the rim of each cone joint.
     #[must_use]
@@ -62,6 +62,9 @@ impl Joints {
                 .enumerate()
                 .filter_map(|(j, model)| rim(j, model)),
         );
+        for drive in &mut drives {
+            drive.drop_limits_of_distances(&models[drive.joint]);
+        }
         let (mut row, mut coordinate) = (0, 0);
         let mut joints = Vec::with_capacity(models.len());
         for model in models {
@@ -326,6 +329,16 @@ impl Joints {
         }
         self.state = state;
         Ok(())
+    }
+}
+
+impl DriveModel {
+    /// A distance cannot fall below zero by itself: a limit there would stop bodies that pass each other closely.
+    fn drop_limits_of_distances(&mut self, joint: &JointModel) {
+        let measure = joint.kind.layout().coordinates[self.coordinate];
+        if measure == Measure::Length && self.limits[0] <= 0.0 {
+            self.limits[0] = f64::NEG_INFINITY;
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 //! Geometry and forces only; whoever solves for joint impulses takes `Row`s. Read `layout.rs` first: the table of the
 //! kinds. A new kind is a variant in `model.rs` and a line in that table.
 
+mod check;
 mod drive;
 mod joints;
 mod layout;
@@ -12,6 +13,7 @@ mod placement;
 mod pull;
 mod row;
 
+pub use check::check;
 pub use drive::{Cause, DriveRow};
 pub use joints::{JointState, Joints};
 pub use model::{DriveModel, JointModel, Kind, Motor};
