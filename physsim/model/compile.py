@@ -11,14 +11,16 @@ import numpy.typing as npt
 
 from physsim.errors import SceneError
 from physsim.model import checks
+from physsim.model.arrays import floats
 from physsim.model.body import Body, BodyMaker
 from physsim.model.findings import Findings, Path
 from physsim.model.geom_table import geom_table
+from physsim.model.mechanics import mechanics
 from physsim.model.mesh_form import MeshFiles
 from physsim.model.model import GeomTable, Model
-from physsim.model.no_contact import Pairs, no_contact_pairs
+from physsim.model.no_contact import Pairs, joined, no_contact_pairs
 from physsim.model.pair_table import Complaints, PairTable, can_touch, pair_table
-from physsim.model.rotation import FloatArray
+from physsim.model.placement import Placement, Stand
 
 if TYPE_CHECKING:
     from physsim.scene import Scene
@@ -53,7 +55,8 @@ class _Compiler:
     def model(self) -> Model:
         """Raises SceneError with everything that was found."""
         bodies = self._bodies()
-        no_contact = no_contact_pairs(self.scene.spec.no_contact, list(self.scene.bodies), self.findings)
+        spec, names = self.scene.spec, list(self.scene.bodies)
+        no_contact = no_contact_pairs(spec.no_contact, joined(spec.joints), names, self.findings)
         model = None if bodies is None else self._assembled(bodies, no_contact)
         if model is not None and bodies is not None:
             checks.check_model(model, bodies, self.paths, self.findings)
@@ -75,19 +78,21 @@ class _Compiler:
         specs, names = self.specs, _materials_in_use(bodies)
         numbers = {name: number for number, name in enumerate(names)}
         geoms = geom_table(bodies, numbers)
-        fixed = np.array([spec.fixed for spec in specs], dtype=bool)
+        stand = self._stand(bodies)
+        fixed = stand.fixed
         return Model(
             spec=self.scene.spec,
-            body_names=tuple(self.scene.bodies),
+            body_names=stand.names,
             fixed=fixed,
-            mass=np.array([body.properties.mass for body in bodies], dtype=np.float64),
-            inertia=_rows([body.properties.inertia for body in bodies], 3, 3),
-            center_of_mass=_rows([body.properties.center for body in bodies], 3),
+            mass=stand.mass,
+            inertia=stand.inertia,
+            center_of_mass=stand.center_of_mass,
             mass_method=tuple(body.method for body in bodies),
-            position=_rows([spec.position for spec in specs], 3),
-            orientation=_rows([spec.orientation.as_quaternion() for spec in specs], 4),
-            velocity=_rows([spec.velocity for spec in specs], 3),
-            angular_velocity=_rows([spec.angular_velocity for spec in specs], 3),
+            position=stand.position,
+            orientation=stand.orientation,
+            velocity=floats([spec.velocity for spec in specs], 3),
+            angular_velocity=floats([spec.angular_velocity for spec in specs], 3),
+            surface_velocity=floats([spec.surface_velocity for spec in specs], 3),
             material_names=names,
             body_material=np.array([numbers[body.material] for body in bodies], dtype=np.int32),
             pairs=self._pairs(
@@ -95,8 +100,21 @@ class _Compiler:
             ),
             geoms=geoms,
             no_contact=no_contact,
+            mechanics=mechanics(self.scene, Placement(stand), self.findings),
             mesh_sha256=dict(sorted(self.files.sha256.items())),
             warnings=(),
+        )
+
+    def _stand(self, bodies: Sequence[Body]) -> Stand:
+        specs = self.specs
+        return Stand(
+            names=tuple(self.scene.bodies),
+            fixed=np.array([spec.fixed for spec in specs], dtype=bool),
+            mass=floats([body.properties.mass for body in bodies]),
+            inertia=floats([body.properties.inertia for body in bodies], 3, 3),
+            center_of_mass=floats([body.properties.center for body in bodies], 3),
+            position=floats([spec.position for spec in specs], 3),
+            orientation=floats([spec.orientation.as_quaternion() for spec in specs], 4),
         )
 
     def _pairs(self, names: Sequence[str], geoms: GeomTable, needed: npt.NDArray[np.bool_]) -> PairTable:
@@ -111,10 +129,6 @@ def _made_of(geoms: GeomTable, bodies: int, materials: int) -> npt.NDArray[np.bo
     made_of = np.zeros((bodies, materials), dtype=bool)
     made_of[geoms.body, geoms.material] = True
     return made_of
-
-
-def _rows(values: Sequence[object], *shape: int) -> FloatArray:
-    return np.array(values, dtype=np.float64).reshape(len(values), *shape)
 
 
 def _materials_in_use(bodies: Sequence[Body]) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from physsim.errors import Problem
 from physsim.model import rotation
 from physsim.model.geom import Surface
 from physsim.model.hull import Hull
+from physsim.model.mechanics import Mechanics
 from physsim.model.pair_table import PairTable
 from physsim.model.polyhedron import IntArray
 from physsim.model.rotation import FloatArray
@@ -47,9 +48,10 @@ class Model:
     inertia (N, 3, 3) about the centre of mass; center_of_mass (N, 3) from the body's origin; position (N,
     3) of the body's origin and orientation (N, 4) wxyz in the world; velocity (N, 3) of the centre of mass;
     angular_velocity (N, 3) in world axes. mass and inertia of a fixed body are what its shape gives,
-    infinite where it gives none. material_names: those in use; body_material (N,) and the rows of `pairs`
-    follow that order. no_contact (K, 2): bodies that never collide. mesh_sha256: file as written in the
-    scene -> hash.
+    infinite where it gives none. surface_velocity (N, 3) of its surface against the body, body axes.
+    material_names: those in use; body_material (N,) and the rows of `pairs` follow that order. no_contact
+    (K, 2): bodies that never collide. mechanics: what acts on them besides contact. mesh_sha256: file as
+    written in the scene -> hash.
     """
 
     spec: SceneSpec
@@ -63,11 +65,13 @@ class Model:
     orientation: FloatArray
     velocity: FloatArray
     angular_velocity: FloatArray
+    surface_velocity: FloatArray
     material_names: tuple[str, ...]
     body_material: IntArray
     pairs: PairTable
     geoms: GeomTable
     no_contact: IntArray
+    mechanics: Mechanics
     mesh_sha256: Mapping[str, str]
     warnings: tuple[Problem, ...]
 
@@ -78,10 +82,15 @@ class Model:
         return centers
 
     def engine_input(self) -> dict[str, object]:
-        """The dictionary of plain arrays that the engine is built from: its settings, bodies, geoms and
-        pairs.
-        """
-        return {**self._settings(), **self._bodies(), **self._geoms(), **self._pairs()}
+        """The dictionary of plain arrays that the engine is built from."""
+        parts = (
+            self._settings(),
+            self._bodies(),
+            self._geoms(),
+            self._pairs(),
+            self.mechanics.engine_input(),
+        )
+        return {name: value for part in parts for name, value in part.items()}
 
     def _settings(self) -> dict[str, object]:
         simulation, world = self.spec.simulation, self.spec.world
@@ -102,6 +111,8 @@ class Model:
             "orientation": self.orientation,
             "velocity": self.velocity,
             "angular_velocity": self.angular_velocity,
+            "surface_velocity": self.surface_velocity,
+            "attracting_mass": np.where(np.isfinite(self.mass), self.mass, 0.0),
         }
 
     def _geoms(self) -> dict[str, object]:
@@ -124,5 +135,7 @@ class Model:
             "restitution": self.pairs.restitution,
             "static_friction": self.pairs.static_friction,
             "kinetic_friction": self.pairs.kinetic_friction,
+            "rolling_friction": self.pairs.rolling_friction,
+            "spinning_friction": self.pairs.spinning_friction,
             "no_contact": self.no_contact,
         }

@@ -18,6 +18,7 @@ from physsim.model.rotation import FloatArray
 if TYPE_CHECKING:
     from physsim.scene.spec import SceneSpec
 
+LEVERS = ("rolling_friction", "spinning_friction")
 NEVER = "not needed: no two such bodies can touch"
 
 
@@ -26,11 +27,14 @@ class PairTable:
     """Symmetric matrices (M, M) over the materials in use, and for each entry the row or rule it came from.
 
     An entry that no two bodies of the scene can ask for and that no table knows is 0 and says so in `source`.
+    Rolling and spinning friction [m] are levers of the normal force; only the scene's pairs give them.
     """
 
     restitution: FloatArray
     static_friction: FloatArray
     kinetic_friction: FloatArray
+    rolling_friction: FloatArray
+    spinning_friction: FloatArray
     source: tuple[tuple[str, ...], ...]
 
 
@@ -90,4 +94,16 @@ def pair_table(
         source[i][j] = source[j][i] = pair.source
         for number, matrix in table.items():
             matrix[i, j] = matrix[j, i] = getattr(pair, number).value
-    return PairTable(**table, source=tuple(tuple(row) for row in source))
+    levers = {number: _levers(number, names, spec) for number in LEVERS}
+    return PairTable(**table, **levers, source=tuple(tuple(row) for row in source))
+
+
+def _levers(number: str, names: Sequence[str], spec: SceneSpec) -> FloatArray:
+    """(M, M) m, 0 for what the scene's pairs do not name; no library has them."""
+    matrix = np.zeros((len(names), len(names)))
+    places = {name: place for place, name in enumerate(names)}
+    for pair in spec.pairs:
+        if all(name in places for name in pair.between):
+            i, j = (places[name] for name in pair.between)
+            matrix[i, j] = matrix[j, i] = getattr(pair, number)
+    return matrix

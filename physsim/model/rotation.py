@@ -53,3 +53,21 @@ def from_z_to(direction: Sequence[float] | FloatArray) -> FloatArray:
     half = atan2(across, z) / 2
     axis = (-y / across, x / across) if across > 1e-150 else (1.0, 0.0)  # below it the quotients lose digits
     return np.array([cos(half), sin(half) * axis[0], sin(half) * axis[1], 0.0])
+
+
+def conjugate(quaternion: Sequence[float] | FloatArray) -> FloatArray:
+    """The inverse of a unit quaternion, shape (4,): world -> body for body -> world."""
+    w, x, y, z = (float(part) for part in quaternion)
+    return np.array([w, -x, -y, -z])
+
+
+def from_axes(z: Sequence[float] | FloatArray, x: Sequence[float] | FloatArray) -> FloatArray:
+    """The turn, shape (4,), that takes the z axis into `z` and the x axis as near to `x` as that allows.
+
+    Lengths do not count; `x` must not be parallel to `z`. First z the shortest way, then about z by the angle
+    that is left, atan2 of what `x` is along the turned y and x axes.
+    """
+    first = from_z_to(z)
+    toward = matrix(first).T @ np.asarray(x, dtype=np.float64)
+    half = atan2(toward[1], toward[0]) / 2
+    return product(first, (cos(half), 0.0, 0.0, sin(half)))

@@ -177,10 +177,12 @@ def test_kinds_and_parameters_of_the_border() -> None:
 def test_arrays_of_the_border_are_contiguous_and_typed() -> None:
     given = compiled("bodies:\n" + EVERY_KIND + FLOOR + "no_contact: [[box, cone]]\n").engine_input()
     arrays = {name: value for name, value in given.items() if isinstance(value, np.ndarray)}
-    whole = {"fixed", "geom_body", "geom_kind", "geom_material", "no_contact"}
+    whole = {"fixed", "no_contact", "force_frame"}
+    counted = ("_body", "_bodies", "_kind", "_material", "_profile", "_joint", "_coordinate")
     for name, array in arrays.items():
         assert array.flags.c_contiguous, name
-        assert array.dtype == (np.int32 if name in whole else np.float64), name
+        is_whole = name in whole or name.endswith(counted)
+        assert array.dtype == (np.int32 if is_whole else np.float64), name
     assert arrays["inertia"].shape == (10, 3, 3)
     assert arrays["restitution"].shape == (2, 2)
     assert arrays["no_contact"].tolist() == [[2, 4]]
