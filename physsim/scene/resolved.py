@@ -34,10 +34,25 @@ def _meaning(text: str) -> Any:
 _Dumper.add_representer(str, _text)
 
 
+def _type_first(part: Any) -> Any:
+    """The same data; a mapping that has a type begins with it, as people write it."""
+    if isinstance(part, list):
+        return [_type_first(item) for item in part]
+    if not isinstance(part, dict):
+        return part
+    keys = sorted(part, key=lambda key: key != "type")
+    return {key: _type_first(part[key]) for key in keys}
+
+
 def resolved_yaml(spec: SceneSpec) -> str:
     """The spec as YAML; what is not given and has no default is left out."""
     data = spec.model_dump(mode="json", by_alias=True, exclude_none=True)
     text: str = yaml.dump(
-        data, Dumper=_Dumper, sort_keys=False, allow_unicode=True, default_flow_style=None, width=120
+        _type_first(data),
+        Dumper=_Dumper,
+        sort_keys=False,
+        allow_unicode=True,
+        default_flow_style=None,
+        width=120,
     )
     return text

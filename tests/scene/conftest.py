@@ -10,6 +10,7 @@ from physsim.errors import SceneError
 from physsim.scene import Scene, load_scene_text
 from physsim.scene.problems import format_problem
 
+pytest.register_assert_rewrite("marks")
 HEAD = """\
 physsim: 1
 simulation: {duration: 1 s, timestep: 1 ms}

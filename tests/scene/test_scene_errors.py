@@ -8,9 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-
-from physsim.errors import SceneError
-from physsim.scene import format_problems, load_scene_text
+from marks import assert_told
 
 HEAD = "physsim: 1\nsimulation: {duration: 1 s, timestep: 1 ms}\n"
 BALL = "bodies:\n  ball:\n    shape: {type: sphere, radius: 5 cm}\n    material: steel\n"
@@ -250,7 +248,7 @@ CASES = {
     ),
     "pair that says nothing": (
         more("pairs:\n  - »{between: [steel, wood]}"),
-        "pairs[0]: says nothing: give restitution, static_friction or kinetic_friction",
+        "pairs[0]: says nothing: give restitution or a friction",
     ),
     "mu_s below mu_k in a pair": (
         more("pairs:\n  - {between: [steel, wood], static_friction: 0.2, kinetic_friction: »0.3}"),
@@ -306,7 +304,7 @@ CASES = {
     ),
     "fixed and moving": (
         HEAD + FLOOR.replace("fixed: true", "fixed: true, velocity: »[1, 0, 0]"),
-        "bodies.floor.velocity: must be zero: the body is fixed",
+        "bodies.floor.velocity: must be zero: the body is fixed; give motion to move it",
     ),
     "zero quaternion": (
         ball("orientation: {quaternion: »[0, 0, 0, 0]}"),
@@ -467,21 +465,7 @@ CASES = {
 }
 
 
-def marked(text: str) -> tuple[str, tuple[int, int]]:
-    """The text without its mark, and the line and column of the mark."""
-    before = text[: text.index("»")]
-    return text.replace("»", ""), (before.count("\n") + 1, len(before) - before.rfind("\n"))
-
-
 @pytest.mark.parametrize("case", CASES)
 def test_mistake_is_told_with_its_place(case: str, tmp_path: Path) -> None:
-    text, (line, column) = marked(CASES[case][0])
-    expected = CASES[case][1].replace("{folder}", str(tmp_path))
-    with pytest.raises(SceneError) as caught:
-        load_scene_text(text, name="s.yaml", folder=tmp_path)
-    assert caught.value.exit_code == 2
-    source = text.split("\n")[line - 1]
-    excerpt = f"{line:>5} | {source}\n      | {' ' * (column - 1)}^"
-    assert (
-        format_problems(caught.value.problems, "s.yaml") == f"s.yaml:{line}:{column}: {expected}\n{excerpt}"
-    )
+    text, expected = CASES[case]
+    assert_told(text, expected.replace("{folder}", str(tmp_path)), tmp_path)

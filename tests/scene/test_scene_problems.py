@@ -129,7 +129,6 @@ no_contact: [[ball, wall]]
         "s.yaml:13:20 bodies.side.material",
         "s.yaml:15:43 pairs[0].restitution",
         "s.yaml:16:16 pairs[1].between[0]",
-        "s.yaml:18:3 joints.j",
         "s.yaml:18:35 joints.j.between[1]",
         "s.yaml:20:1 no_contact",
     ]

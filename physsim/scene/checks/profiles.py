@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from itertools import pairwise
 
 from physsim.errors import PathPart, Problem
 from physsim.scene.checks.between import check_rising
@@ -51,23 +50,14 @@ def check_window(path: Path, start: float, until: float | None) -> Iterator[Prob
         yield Problem((*path, "until"), f"must be after the start ({start:g} s)", f"{until:g} s")
 
 
-def value_at(profile: ProfileSpec, t: float) -> float:
-    """The factor at the time t >= 0 [s] from its start; NaN where an expression has no value."""
+def first_value(profile: ProfileSpec) -> float:
+    """The factor at its start; NaN where an expression has no value there."""
     match profile:
         case SineProfile():
-            return math.sin(2 * math.pi * profile.frequency * t + profile.phase)
-        case RampProfile():
-            return min(1.0, t / profile.over)
-        case StepProfile():
-            return 1.0 if t >= profile.at else 0.0
+            return math.sin(profile.phase)
         case TableProfile():
-            return _interpolated(profile.samples, t)
+            return profile.samples[0][1]
         case ExpressionProfile():
-            return run(profile.program, t)
-
-
-def _interpolated(samples: tuple[tuple[float, float], ...], t: float) -> float:
-    for (before, a), (after, b) in pairwise(samples):
-        if before <= t < after:
-            return a + (b - a) * (t - before) / (after - before)
-    return samples[0][1] if t < samples[0][0] else samples[-1][1]
+            return run(profile.program, 0.0)
+        case RampProfile() | StepProfile():
+            return 0.0

@@ -21,7 +21,8 @@ class MotionSpec(Spec):
     """Either how far the body is from where it stood, or how fast it moves; both times the profile.
 
     Position: translation, rotation, or both; the profile is required. Velocity: velocity, angular_velocity,
-    or both; without a profile they are constant.
+    or both; without a profile they are constant. Before the start and after the end the body stands still;
+    after the end it stays where it is.
     """
 
     model_config = ConfigDict(
