@@ -1,4 +1,4 @@
-"""Doubts about a whole model: steps too long for small fast bodies, meshes in the wrong unit."""
+"""Doubts about a whole model: steps too long for what is small, fast or stiff, meshes in the wrong unit."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 
 from physsim.model.body import Body
+from physsim.model.connections import check_placement
 from physsim.model.findings import Findings, Path
 from physsim.model.model import Model
+from physsim.model.stiffness import Stepping, check_stiffness
 
 STRIDE = 0.5
 """Part of its smallest dimension that a body may move in one step; beyond it contacts are found late or not
@@ -34,6 +36,11 @@ def check_model(model: Model, bodies: Sequence[Body], paths: Sequence[Path], fin
     _check_stride(model, bodies, paths, findings)
     _check_turn(model, paths, findings)
     _check_scales(model, bodies, paths, findings)
+    springs, joints = model.mechanics.springs, model.mechanics.joints
+    check_placement(springs, joints, findings)
+    simulation = model.spec.simulation
+    stepping = Stepping(simulation.integrator, simulation.timestep, simulation.steps)
+    check_stiffness(springs, joints, stepping, findings)
 
 
 def _check_stride(model: Model, bodies: Sequence[Body], paths: Sequence[Path], findings: Findings) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 
 from physsim.model import curves
 from physsim.model.arrays import floats, wholes
+from physsim.model.oscillation import Oscillation
 from physsim.model.placement import Placed, Placement
 from physsim.model.polyhedron import IntArray
 from physsim.model.rotation import FloatArray
@@ -61,19 +62,16 @@ class Spring:
     mobility: float
 
     @property
-    def stiffness_at_rest(self) -> float:
-        """k, or the slope of the curve at rest [N/m or N m/rad]."""
-        return curves.slope_at_zero(self.force_curve) if len(self.force_curve) else self.stiffness
+    def oscillation(self) -> Oscillation:
+        """With the mass at its ends, for small swings about rest: slopes stand for curves."""
+        k = curves.slope_at_zero(self.force_curve) if len(self.force_curve) else self.stiffness
+        c = curves.slope_at_zero(self.damping_curve) if len(self.damping_curve) else self.damping
+        return Oscillation(k, c, self.mobility)
 
     @property
     def largest_stiffness(self) -> float:
         """k, or the steepest slope of the curve [N/m or N m/rad]."""
         return curves.steepest(self.force_curve) if len(self.force_curve) else self.stiffness
-
-    @property
-    def damping_at_rest(self) -> float:
-        """c, or the slope of the curve at speed 0 [N s/m or N m s/rad]."""
-        return curves.slope_at_zero(self.damping_curve) if len(self.damping_curve) else self.damping
 
     @property
     def largest_damping(self) -> float:
