@@ -22,7 +22,8 @@ pub enum MotionKind {
 ///
 ///   R = exp(s angular),  center' = center + s linear,
 ///   position = center' + R (start - center),  orientation = R start,
-///   omega = s' angular,  v = s' linear + omega x R (start - center).
+///   omega = s' angular,  v = s' linear + omega x R (start - center),
+///   alpha = s'' angular,  a = s'' linear + alpha x R (start - center) + omega x (omega x R (start - center)).
 ///
 /// The axis stays, so that this is exact. Position: s is the profile; before its window the body stands at its start,
 /// after it where it then is. Velocity: s is the integral of the profile over the window.
@@ -80,11 +81,19 @@ impl Motion {
     /// Velocity of the centre of mass [m/s] and angular velocity [rad/s], world axes.
     #[must_use]
     pub fn velocity(&self, start: &State, t: f64) -> (DVec3, DVec3) {
-        let rate = self.rate(t);
+        let (rate, _) = self.rates(t);
         let omega = self.angular * rate;
-        let turn = rotation_from_vector(self.angular * self.course(t));
-        let arm = turn * (start.position - self.center);
-        (self.linear * rate + omega.cross(arm), omega)
+        (self.linear * rate + omega.cross(self.arm(start, t)), omega)
+    }
+
+    /// Acceleration of the centre of mass [m/s^2] and angular acceleration [rad/s^2], world axes.
+    #[must_use]
+    pub fn acceleration(&self, start: &State, t: f64) -> (DVec3, DVec3) {
+        let (rate, curvature) = self.rates(t);
+        let (omega, alpha) = (self.angular * rate, self.angular * curvature);
+        let arm = self.arm(start, t);
+        let turning = alpha.cross(arm) + omega.cross(omega.cross(arm));
+        (self.linear * curvature + turning, alpha)
     }
 
     /// Once a step, at its time: keeps what the course to later times builds on. Changes no value.
@@ -107,13 +116,18 @@ impl Motion {
         }
     }
 
-    /// ds/dt, 0 outside the window.
-    fn rate(&self, t: f64) -> f64 {
-        let (factor, rate) = self.schedule.factor_and_rate(t);
+    /// s' and s'', 0 outside the window.
+    fn rates(&self, t: f64) -> (f64, f64) {
+        let [factor, rate, curvature] = self.schedule.derivatives(t);
         match self.kind {
-            MotionKind::Velocity => factor,
-            MotionKind::Position => rate,
+            MotionKind::Velocity => (factor, rate),
+            MotionKind::Position => (rate, curvature),
         }
+    }
+
+    /// R (start - center)
+    fn arm(&self, start: &State, t: f64) -> DVec3 {
+        rotation_from_vector(self.angular * self.course(t)) * (start.position - self.center)
     }
 
     /// Time spent in the window [s].

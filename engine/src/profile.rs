@@ -1,7 +1,7 @@
 //! Factors that follow a course in time, and the window in which they count.
 
-mod dual;
 mod integral;
+mod jet;
 mod program;
 #[cfg(test)]
 mod tests;
@@ -52,18 +52,29 @@ impl Profile {
     /// The factor at `t` and its rate of change [1/s].
     #[must_use]
     pub fn value_and_rate(&self, t: f64) -> (f64, f64) {
+        let [value, rate, _] = self.derivatives(t);
+        (value, rate)
+    }
+
+    /// The factor at `t`, its rate of change [1/s] and the rate of that [1/s^2].
+    #[must_use]
+    pub fn derivatives(&self, t: f64) -> [f64; 3] {
         match self {
-            Self::Constant => (1.0, 0.0),
+            Self::Constant => [1.0, 0.0, 0.0],
             Self::Sine { frequency, phase } => {
-                let angle = TAU * frequency * t + phase;
-                (libm::sin(angle), TAU * frequency * libm::cos(angle))
+                let w = TAU * frequency;
+                let (sin, cos) = libm::sincos(w * t + phase);
+                [sin, w * cos, -w * w * sin]
             }
-            Self::Ramp { .. } if t < 0.0 => (0.0, 0.0),
-            Self::Ramp { over } if t < *over => (t / over, 1.0 / over),
-            Self::Ramp { .. } => (1.0, 0.0),
-            Self::Step { at } => (f64::from(u8::from(t >= *at)), 0.0),
-            Self::Table(curve) => curve.value_and_slope(t),
-            Self::Expression(program) => program.value_and_rate(t),
+            Self::Ramp { .. } if t < 0.0 => [0.0; 3],
+            Self::Ramp { over } if t < *over => [t / over, 1.0 / over, 0.0],
+            Self::Ramp { .. } => [1.0, 0.0, 0.0],
+            Self::Step { at } => [f64::from(u8::from(t >= *at)), 0.0, 0.0],
+            Self::Table(curve) => {
+                let (value, slope) = curve.value_and_slope(t);
+                [value, slope, 0.0]
+            }
+            Self::Expression(program) => program.derivatives(t),
         }
     }
 
@@ -122,11 +133,18 @@ impl Schedule {
     /// The factor and its rate of change [1/s], both 0 outside [from, until).
     #[must_use]
     pub fn factor_and_rate(&self, t: f64) -> (f64, f64) {
+        let [factor, rate, _] = self.derivatives(t);
+        (factor, rate)
+    }
+
+    /// The factor, its rate of change [1/s] and the rate of that [1/s^2], all 0 outside [from, until).
+    #[must_use]
+    pub fn derivatives(&self, t: f64) -> [f64; 3] {
         if t < self.from || t >= self.until {
-            return (0.0, 0.0);
+            return [0.0; 3];
         }
         self.profile
             .as_ref()
-            .map_or((1.0, 0.0), |p| p.value_and_rate(t - self.from))
+            .map_or([1.0, 0.0, 0.0], |p| p.derivatives(t - self.from))
     }
 }

@@ -48,7 +48,7 @@ fn turn_between(a: DQuat, b: DQuat) -> DVec3 {
 }
 
 #[test]
-fn velocity_is_the_rate_of_the_pose() {
+fn velocity_and_acceleration_are_rates_of_the_pose() {
     let (h, start) = (1e-5, start());
     for kind in [MotionKind::Position, MotionKind::Velocity] {
         for profile in profiles() {
@@ -60,6 +60,15 @@ fn velocity_is_the_rate_of_the_pose() {
                 assert!(error.length() < 1e-8, "{motion:?} {t} {error}"); // measured 6e-9
                 let error = turn_between(before.1, after.1) / (2.0 * h) - omega;
                 assert!(error.length() < 1e-8, "{motion:?} {t} {error}"); // measured 6e-9
+                let (a, alpha) = motion.acceleration(&start, t);
+                let (before, after) = (
+                    motion.velocity(&start, t - h),
+                    motion.velocity(&start, t + h),
+                );
+                let error = (after.0 - before.0) / (2.0 * h) - a;
+                assert!(error.length() < 1e-7, "{motion:?} {t} {error}"); // measured 5e-8
+                let error = (after.1 - before.1) / (2.0 * h) - alpha;
+                assert!(error.length() < 1e-7, "{motion:?} {t} {error}"); // measured 1.4e-8
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Expressions of time, compiled to a program for a stack machine.
 
-use super::dual::Dual;
+use super::jet::Jet;
 
 /// Values that may wait on the stack; the scene's compiler has the same bound.
 const STACK: usize = 64;
@@ -126,25 +126,22 @@ impl Program {
         Ok(Self { ops })
     }
 
-    /// Value and rate of change at the time `t` [s].
+    /// Value, rate of change and its rate at the time `t` [s].
     #[must_use]
-    pub fn value_and_rate(&self, t: f64) -> (f64, f64) {
-        let mut stack = [Dual::default(); STACK];
+    pub fn derivatives(&self, t: f64) -> [f64; 3] {
+        let mut stack = [Jet::default(); STACK];
         let mut top = 0;
         for op in &self.ops {
             top -= op.takes();
             stack[top] = match *op {
-                Op::Push(value) => Dual::constant(value),
-                Op::Time => Dual {
-                    value: t,
-                    rate: 1.0,
-                },
+                Op::Push(value) => Jet::constant(value),
+                Op::Time => Jet::time(t),
                 Op::Unary(function) => stack[top].unary(function),
                 Op::Binary(function) => stack[top].binary(stack[top + 1], function),
             };
             top += 1;
         }
-        (stack[0].value, stack[0].rate)
+        [stack[0].value, stack[0].rate, stack[0].curvature]
     }
 }
 
