@@ -109,7 +109,7 @@ def test_what_does_not_depend_on_time_is_computed_beforehand() -> None:
         ("t + q", "uses 'q', which is no parameter of this scene"),
         ("t(2)", "uses the unknown function 't'"),
         ("sin(t, t)", "gives 2 argument(s) to sin, which takes 1"),
-        ("t t", "has a unit that"),
+        ("t t", "has 't' where an operator was expected"),
         ("t *", "ends too early"),
         ("__import__('os')", "cannot be read at ''os')'"),
         ("t" + " + t" * 200, "is too long for an expression"),
@@ -118,8 +118,6 @@ def test_what_does_not_depend_on_time_is_computed_beforehand() -> None:
 def test_what_has_no_meaning_is_refused(text: str, message: str) -> None:
     with pytest.raises(ExpressionError) as caught:
         program(text)
-    if text == "t t":
-        message = "has 't' where an operator was expected"
     assert str(caught.value).startswith(message)
 
 
@@ -161,9 +159,8 @@ def test_a_program_computes_what_python_computes(text: str, t: float) -> None:
         return
     names = {name: getattr(math, name) for name in ("sin", "cos", "tanh", "atan", "hypot", "atan2")}
     source = text.replace("period / (1 s)", "2.0")
-    expected = eval(
-        source, {"__builtins__": {"abs": abs, "min": min, "max": max}}, {**names, "t": t, "n": 4.0}
-    )
+    known = {**names, "abs": abs, "min": min, "max": max, "t": t, "n": 4.0}
+    expected = eval(source, {"__builtins__": {}}, known)
     made = program(text)
     assert run(made, t) == pytest.approx(expected, rel=1e-12, abs=1e-12)
     assert deepest(made) <= MAX_STACK

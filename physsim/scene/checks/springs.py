@@ -46,11 +46,11 @@ def _damping(path: Path, spring: SpringSpec, curve: str) -> Iterator[Problem]:
     given = [key for key in ("damping", "damping_ratio", "damping_curve") if getattr(spring, key) is not None]
     for key in given[1:]:
         yield Problem((*path, key), f"cannot be given together with {given[0]}")
-    if spring.damping_ratio is None:
+    if given != ["damping_ratio"]:
         return
     if getattr(spring, curve) is not None:
         yield Problem(
             (*path, "damping_ratio"), f"cannot be given together with {curve}: it needs one stiffness"
         )
-    elif spring.damping_ratio > 0 and spring.stiffness == 0:
+    elif spring.damping_ratio and spring.stiffness == 0:
         yield Problem((*path, "damping_ratio"), "needs stiffness: it is a share of critical damping")
