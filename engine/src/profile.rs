@@ -46,7 +46,7 @@ impl Profile {
     /// The factor at `t`.
     #[must_use]
     pub fn value(&self, t: f64) -> f64 {
-        self.value_and_rate(t).0
+        self.derivatives(t)[0]
     }
 
     /// The factor at `t` and its rate of change [1/s].
@@ -127,14 +127,7 @@ impl Schedule {
     /// The factor at the time `t` [s]: 0 outside [from, until).
     #[must_use]
     pub fn factor(&self, t: f64) -> f64 {
-        self.factor_and_rate(t).0
-    }
-
-    /// The factor and its rate of change [1/s], both 0 outside [from, until).
-    #[must_use]
-    pub fn factor_and_rate(&self, t: f64) -> (f64, f64) {
-        let [factor, rate, _] = self.derivatives(t);
-        (factor, rate)
+        self.derivatives(t)[0]
     }
 
     /// The factor, its rate of change [1/s] and the rate of that [1/s^2], all 0 outside [from, until).

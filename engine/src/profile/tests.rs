@@ -191,8 +191,8 @@ fn a_schedule_counts_in_its_window_only() {
     };
     let factors = [0.5, 1.0, 2.0, 3.9, 4.0].map(|t| schedule.factor(t));
     assert_eq!(factors, [0.0, 0.0, 0.5, 1.0, 0.0]);
-    assert_eq!(schedule.factor_and_rate(2.0), (0.5, 0.5));
-    assert_eq!(Schedule::default().factor_and_rate(7.0), (1.0, 0.0));
+    assert_eq!(schedule.derivatives(2.0), [0.5, 0.5, 0.0]);
+    assert_eq!(Schedule::default().derivatives(7.0), [1.0, 0.0, 0.0]);
 }
 
 /// Trapezoids on a fine grid: an integral by other means.
