@@ -47,6 +47,20 @@ class JointKind(IntEnum):
     """Limits of the distance between two points, and nothing else."""
 
 
+COORDINATE_UNITS: Mapping[JointKind, tuple[str, ...]] = MappingProxyType(
+    {
+        JointKind.DISTANCE: ("m",),
+        JointKind.HINGE: ("rad",),
+        JointKind.SLIDER: ("m",),
+        JointKind.UNIVERSAL: ("rad", "rad"),
+        JointKind.CYLINDRICAL: ("m", "rad"),
+        JointKind.PLANAR: ("m", "m", "rad"),
+        JointKind.SCREW: ("rad",),
+        JointKind.STOPS: ("m",),
+    }
+)
+"""Units of the coordinates that a kind has; the others have none."""
+
 DEGREES_REMOVED: Mapping[JointKind, int] = MappingProxyType(
     {
         JointKind.DISTANCE: 1,

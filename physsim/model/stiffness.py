@@ -95,7 +95,7 @@ class _Checker:
             return
         self._findings.warn(
             path,
-            f"{swing.words}is too stiff for the timestep: {numbers}, {integrator} blows up beyond {bound:.3g}",
+            f"{swing.words}is too stiff for the timestep: {numbers}, {integrator} grows beyond {bound:.3g}",
             hint=f"a timestep below {bound / swing.omega:.2g} s, or a softer spring",
         )
 

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from physsim.scene.quantity import Quantity
 
 _VECTOR_OF = {"speed": "velocity", "angular_speed": "angular_velocity"}
+_RECORDED_AS = {"angle": "length", "torque": "force"}
 
 
 def over_time(trajectory: Trajectory, quantity: Quantity) -> Array:
@@ -28,8 +29,23 @@ def over_time(trajectory: Trajectory, quantity: Quantity) -> Array:
 
 def _of_body(trajectory: Trajectory, quantity: Quantity) -> Array:
     field = _VECTOR_OF.get(quantity.field, quantity.field)
-    found: Array = trajectory.series(field, trajectory.index_of(str(quantity.body)))[:]
+    found: Array = trajectory.series(field, trajectory.index_of(str(quantity.name)))[:]
     return found if field == quantity.field else np.asarray(np.linalg.norm(found, axis=1))
+
+
+def _of_spring(trajectory: Trajectory, quantity: Quantity) -> Array:
+    """Length and force stand for the angle and the torque of torsional springs."""
+    field = _RECORDED_AS.get(quantity.field, quantity.field)
+    found: Array = getattr(trajectory.spring(str(quantity.name)), field)[:]
+    return found
+
+
+def _of_joint(trajectory: Trajectory, quantity: Quantity) -> Array:
+    joint = trajectory.joint(str(quantity.name))
+    if quantity.field == "reaction":
+        return np.asarray(np.linalg.norm(joint.force[:], axis=1))
+    found: Array = getattr(joint, quantity.field)[:]
+    return found
 
 
 def _of_energy(trajectory: Trajectory, quantity: Quantity) -> Array:
@@ -44,6 +60,8 @@ def _of_energy(trajectory: Trajectory, quantity: Quantity) -> Array:
 _GROUPS: dict[str, Callable[[Trajectory, Quantity], Array]] = {
     "time": lambda trajectory, _: trajectory.time,
     "bodies": _of_body,
+    "springs": _of_spring,
+    "joints": _of_joint,
     "energy": _of_energy,
     "momentum": lambda trajectory, quantity: trajectory.momentum[quantity.field],
     "contacts": lambda trajectory, _: trajectory.solver["contact_count"],

@@ -152,6 +152,8 @@ class Trajectory:
         rows = self._index[word]
         if name in rows:
             return rows[name]
+        if not rows:
+            raise NotInFile(f"{self.path}: has no {word}s: the scene has none, or they were not recorded")
         near = difflib.get_close_matches(name, rows, n=1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         raise NotInFile(f"{self.path}: has no {word} {name!r}{hint}")

@@ -41,6 +41,8 @@ def fixed_values(scene: Scene, model: Model) -> dict[str, Any]:
         "center_of_mass": model.center_of_mass,
         "material": list(names[model.body_material]),
         "fixed": np.asarray(model.fixed, np.int8),
+        **_joints(model),
+        **_springs(model),
         **_pairs(model),
         **_provenance(scene, model),
     }
@@ -49,6 +51,40 @@ def fixed_values(scene: Scene, model: Model) -> dict[str, Any]:
 def now() -> str:
     """Clock time in UTC, ISO 8601."""
     return datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+
+
+def _joints(model: Model) -> dict[str, Any]:
+    """Of the joints that have a name: the stops of springs are left out."""
+    from physsim.model.joints import COORDINATE_UNITS  # noqa: PLC0415, slow to import
+
+    table = model.mechanics.joints
+    count = len(table.names)
+    units = [COORDINATE_UNITS.get(row.kind, ()) for row in table.rows[:count]]
+    named = {
+        f"joints/{name}_unit": [some[k] if k < len(some) else "" for some in units]
+        for k, name in enumerate(("coordinate", "coordinate_2", "coordinate_3"))
+    }
+    return {**_who("joints", "joint", table, table.bodies[:count], table.anchors[:count]), **named}
+
+
+def _springs(model: Model) -> dict[str, Any]:
+    table = model.mechanics.springs
+    units = [("m", "N") if kind == "linear" else ("rad", "N m") for kind in table.types]
+    return {
+        **_who("springs", "spring", table, table.bodies, table.anchors),
+        "springs/length_unit": [length for length, _ in units],
+        "springs/force_unit": [force for _, force in units],
+    }
+
+
+def _who(group: str, axis: str, table: Any, bodies: Any, anchors: Any) -> dict[str, Any]:
+    ends = ("a", "b")
+    return {
+        f"{group}/{axis}": list(table.names),
+        f"{group}/type": list(table.types),
+        **{f"{group}/body_{end}": bodies[:, k] for k, end in enumerate(ends)},
+        **{f"{group}/anchor_{end}": anchors[:, k] for k, end in enumerate(ends)},
+    }
 
 
 def _pairs(model: Model) -> dict[str, Any]:

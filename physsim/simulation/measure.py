@@ -36,9 +36,15 @@ class Measure:
         self._timestep = float(model.spec.simulation.timestep)
         self._pair_rows = pair_rows(len(model.material_names))
         self._energy = bool(model.spec.record.energy)
+        recorded = model.spec.record.joints
+        self._joints = len(model.mechanics.joints.names) if recorded else 0
+        self._springs = len(model.mechanics.springs.names) if recorded else 0
 
     def frame(self, world: Any) -> Rows:
-        """One row of every dataset over time but `time` and `step`."""
+        """One row of every dataset over time but `time` and `step`.
+
+        The engine's joints are those of the scene and then the stops of springs, which are not recorded.
+        """
         state, solver = world.state(), world.solver()
         rows: Rows = {
             "position": origins(state["position"], state["orientation"], self._center),
@@ -52,6 +58,10 @@ class Measure:
         if self._energy:
             rows |= {"energy/gravitation": 0.0}
             rows |= {f"energy/{name}": value for name, value in world.energies().items()}
+        if self._joints:
+            rows |= {f"joints/{name}": row[: self._joints] for name, row in world.joints().items()}
+        if self._springs:
+            rows |= {f"springs/{name}": row for name, row in world.springs().items()}
         return rows
 
     def contacts(self, world: Any) -> Rows:
@@ -61,18 +71,8 @@ class Measure:
         """
         found = world.contacts()
         impulse = found["normal_impulse"][:, None] * found["normal"] + found["tangential_impulse"]
-        same = (
-            "body_a",
-            "body_b",
-            "position",
-            "normal",
-            "depth",
-            "normal_impulse",
-            "tangential_impulse",
-            "sliding",
-        )
         return {
-            **{f"contacts/{name}": found[name] for name in same},
+            **{f"contacts/{name}": found[name] for name in _AS_THE_ENGINE_SAYS},
             "contacts/impulse": impulse,
             "contacts/force": impulse / self._timestep,
             "contacts/relative_velocity_before": found["velocity_before"],

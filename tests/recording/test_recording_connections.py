@@ -61,7 +61,7 @@ def test_a_scene_without_them_has_no_such_groups(tmp_path: Path) -> None:
     with open_trajectory(path) as trajectory:
         assert trajectory.frames == 3
         assert trajectory.joint_names == trajectory.spring_names == ()
-        with pytest.raises(NotInFile, match="has no joint 'door'"):
+        with pytest.raises(NotInFile, match="has no joints: the scene has none"):
             trajectory.joint("door")
 
 
