@@ -1,0 +1,92 @@
+"""Pictures of a formula: what came over what should have come, and how the error falls with the timestep."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from physsim.analysis.verify.case import Formula
+from physsim.analysis.verify.judge import Verdict
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Draw = Callable[["Axes", Sequence[Verdict]], None]
+WIDTH, HEIGHT = 5.0, 3.4
+"""Of one panel [inch]."""
+
+
+def draw_formula(formula: Formula, verdicts: Sequence[Verdict], file: Path) -> None:
+    """One panel for the first comparison over time, one for convergence where there is one.
+
+    file: its suffix says the format; the same verdicts give the same bytes of an SVG. Where there is
+    neither a curve nor convergence, theory and measured values are drawn side by side. Needs matplotlib
+    (extra `plot`).
+    """
+    import matplotlib as mpl  # noqa: PLC0415, optional and slow to import
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    panels = _panels(verdicts)
+    with mpl.rc_context({"svg.hashsalt": formula.name, "font.size": 9}):
+        figure = Figure(figsize=(WIDTH * len(panels), HEIGHT), layout="constrained")
+        figure.suptitle(f"{formula.title}:  {formula.equation}", fontsize=9)
+        axes = np.atleast_1d(figure.subplots(1, len(panels)))
+        for panel, (draw, drawn) in zip(axes, panels, strict=True):
+            draw(panel, drawn)
+        metadata: dict[str, Any] = {"Date": None} if file.suffix == ".svg" else {}
+        figure.savefig(file, metadata=metadata)
+
+
+def _panels(verdicts: Sequence[Verdict]) -> list[tuple[Draw, Sequence[Verdict]]]:
+    """What is drawn side by side, and by whom."""
+    curves = [verdict for verdict in verdicts if len(verdict.law) == len(verdict.time)]
+    refined = [verdict for verdict in verdicts if verdict.check.order is not None and len(verdict.errors) > 1]
+    panels: list[tuple[Draw, Sequence[Verdict]]] = []
+    if curves:
+        panels.append((draw_curve, curves[:1]))
+    if refined:
+        panels.append((draw_convergence, refined))
+    return panels or [(draw_values, verdicts)]
+
+
+def draw_curve(axes: Axes, verdicts: Sequence[Verdict]) -> None:
+    """Of one verdict: theory as lines and measured values as dots, over time, every component in a colour
+    of its own.
+    """
+    (verdict,) = verdicts
+    rows = len(verdict.time)
+    law, curve = verdict.law.reshape(rows, -1), verdict.curve.reshape(rows, -1)
+    some = slice(None, None, max(1, rows // 40))
+    for k in range(law.shape[1]):
+        axes.plot(verdict.time, law[:, k], "-", color=f"C{k}", lw=1, label="theory" if k == 0 else None)
+        axes.plot(
+            verdict.time[some], curve[some, k], ".", color=f"C{k}", ms=5, label="measured" if k == 0 else None
+        )
+    axes.set(
+        xlabel="time [s]", ylabel=f"{verdict.check.name} [{verdict.check.unit}]", title=verdict.case.name
+    )
+    axes.legend(frameon=False)
+
+
+def draw_convergence(axes: Axes, verdicts: Sequence[Verdict]) -> None:
+    """Error over timestep, both logarithmic, one line per case with its measured order."""
+    for verdict in verdicts:
+        order = "-" if verdict.order is None else f"{verdict.order:.2f}"
+        label = f"{verdict.case.name.rpartition('.')[2]}: {order}"
+        axes.loglog(verdict.timesteps, verdict.errors, "o-", ms=4, lw=1, label=label)
+    axes.set(xlabel="timestep [s]", ylabel="greatest error", title="measured order of convergence")
+    axes.legend(frameon=False, fontsize=8)
+
+
+def draw_values(axes: Axes, verdicts: Sequence[Verdict]) -> None:
+    """Theory and measured values of every comparison as bars side by side."""
+    places = np.arange(len(verdicts))
+    axes.bar(places - 0.2, [verdict.theory for verdict in verdicts], 0.4, label="theory")
+    axes.bar(places + 0.2, [verdict.measured for verdict in verdicts], 0.4, label="measured")
+    labels = [f"{verdict.check.name} [{verdict.check.unit}]" for verdict in verdicts]
+    axes.set_xticks(places, labels, rotation=20, ha="right")
+    axes.axhline(0, color="k", lw=0.5)
+    axes.legend(frameon=False)

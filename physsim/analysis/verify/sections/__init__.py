@@ -1,0 +1,3 @@
+"""The sections of the formula sheet, one file each: the closed forms, and the scenes that they are held
+against.
+"""
