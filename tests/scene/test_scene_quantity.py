@@ -27,11 +27,24 @@ from physsim.scene.quantity import ENERGY_TERMS, QuantityError, parse_quantity
         ("momentum.angular.z", ("momentum", None, "angular", "z", "kg*m^2/s")),
         ("contacts.count", ("contacts", None, "count", None, "")),
         ("solver.residual", ("solver", None, "residual", None, "m/s")),
+        ("solver.fallbacks", ("solver", None, "fallbacks", None, "")),
+        ("energy.gravitation", ("energy", None, "gravitation", None, "J")),
+        ("springs.tether.length", ("springs", "tether", "length", None, "m")),
+        ("springs.tether.force", ("springs", "tether", "force", None, "N")),
+        ("springs.wind.up.angle", ("springs", "wind.up", "angle", None, "rad")),
+        ("springs.wind_up.torque", ("springs", "wind_up", "torque", None, "N*m")),
+        ("joints.hinge.force.x", ("joints", "hinge", "force", "x", "N")),
+        ("joints.hinge.torque.z", ("joints", "hinge", "torque", "z", "N*m")),
+        ("joints.force.reaction", ("joints", "force", "reaction", None, "N")),
+        ("joints.hinge.coordinate", ("joints", "hinge", "coordinate", None, "")),
+        ("joints.hinge.coordinate_3", ("joints", "hinge", "coordinate_3", None, "")),
+        ("joints.hinge.violation", ("joints", "hinge", "violation", None, "m")),
+        ("joints.hinge.angular_violation", ("joints", "hinge", "angular_violation", None, "rad")),
     ],
 )
 def test_scalars(text: str, parts: tuple[str | None, ...]) -> None:
     quantity = parse_quantity(text)
-    found = (quantity.group, quantity.body, quantity.field, quantity.component, quantity.kind.unit)
+    found = (quantity.group, quantity.name, quantity.field, quantity.component, quantity.kind.unit)
     assert found == parts
     assert quantity.is_scalar
     assert quantity.text == text
@@ -39,7 +52,13 @@ def test_scalars(text: str, parts: tuple[str | None, ...]) -> None:
 
 @pytest.mark.parametrize(
     ("text", "components"),
-    [("bodies.a.position", "xyz"), ("bodies.a.orientation", "wxyz"), ("momentum.linear", "xyz")],
+    [
+        ("bodies.a.position", "xyz"),
+        ("bodies.a.orientation", "wxyz"),
+        ("momentum.linear", "xyz"),
+        ("joints.a.force", "xyz"),
+        ("joints.a.torque", "xyz"),
+    ],
 )
 def test_whole_vectors(text: str, components: str) -> None:
     quantity = parse_quantity(text)
@@ -60,6 +79,10 @@ def test_whole_vectors(text: str, components: str) -> None:
         ("bodies..position", "names no quantity of a body", None),
         ("bodies.crate.position.w", "names no component of position", None),
         ("bodies.crate.speed.x", "names a part of speed, which is a single number", None),
+        ("springs.s.lenth", "names no quantity of a spring", "did you mean 'length'?"),
+        ("joints.j.position", "names no quantity of a joint", None),
+        ("joints.j.coordinate.x", "names a part of coordinate, which is a single number", None),
+        ("joints.force.x", "names no quantity of a joint", None),
         ("energy", "names no quantity of energy", None),
         ("energy.totl", "names no quantity of energy", "did you mean 'total'?"),
         ("energy.total.x", "names a part of total, which is a single number", None),
@@ -70,6 +93,31 @@ def test_slips(text: str, message: str, hint: str | None) -> None:
     with pytest.raises(QuantityError) as caught:
         parse_quantity(text)
     assert (str(caught.value), caught.value.hint) == (message, hint)
+
+
+@pytest.mark.parametrize(
+    ("joint", "units"),
+    [
+        ("distance", ("m", "", "")),
+        ("hinge", ("rad", "", "")),
+        ("slider", ("m", "", "")),
+        ("screw", ("rad", "", "")),
+        ("cylindrical", ("m", "rad", "")),
+        ("universal", ("rad", "rad", "")),
+        ("planar", ("m", "m", "rad")),
+        ("ball", ("", "", "")),
+        ("no such type", ("", "", "")),
+    ],
+)
+def test_coordinates_are_angles_or_lengths_as_the_joint_has_them(joint: str, units: tuple[str, ...]) -> None:
+    fields = ("coordinate", "coordinate_2", "coordinate_3")
+    found = tuple(parse_quantity(f"joints.j.{field}", {"j": joint}).kind.unit for field in fields)
+    assert found == units
+
+
+def test_the_body_is_the_name_of_a_body_only() -> None:
+    assert parse_quantity("bodies.a.speed").body == "a"
+    assert parse_quantity("joints.a.reaction").body is None
 
 
 def test_every_term_of_the_ledger_has_a_name() -> None:

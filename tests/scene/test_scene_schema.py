@@ -8,6 +8,8 @@ from typing import Any
 
 import pytest
 from jsonschema import Draft202012Validator
+from marks import marked
+from test_scene_mechanics_errors import CASES as MECHANICS
 
 from physsim.scene.nodes import plain
 from physsim.scene.schema import schema_text
@@ -94,6 +96,55 @@ def test_it_takes_the_example_scenes(scene: Path) -> None:
 def test_it_refuses_broken_scenes(change: tuple[str, str], where: str) -> None:
     assert change[0] in VALID
     assert where in trouble(VALID.replace(*change, 1))
+
+
+MARKED = (
+    "nothing acts",
+    "a coil that does nothing",
+    "between one and the same",
+    "damping twice",
+    "damping and its curve",
+    "a share of many stiffnesses",
+    "a curve of one point",
+    "a length below 0",
+    "a length of a torsional spring",
+    "acts now and then",
+    "two lengths",
+    "a ball joint holds no torque",
+    "breaks at once",
+    "motor that does nothing",
+    "motor that wants both",
+    "motor without an end",
+    "servo without stiffness",
+    "servo's damping of a motor",
+    "travel of a hinge's motor",
+    "spring without stiffness",
+    "a drive that does nothing",
+    "x without its direction",
+    "gear of one",
+    "gear between bodies",
+    "ratio of nothing",
+    "no force",
+    "two kinds",
+    "on the world",
+    "force on a pattern",
+    "point of no force",
+    "region of a force",
+    "drag that does nothing",
+    "drag without area",
+    "unknown type of profile",
+    "expression that is a number",
+    "of a free body",
+    "nowhere",
+    "of both kinds",
+    "position without a profile",
+    "rotation without an angle",
+)
+
+
+@pytest.mark.parametrize("case", MARKED)
+def test_editors_mark_mistakes_of_mechanics(case: str) -> None:
+    assert trouble(marked(MECHANICS[case][0])[0])
 
 
 def test_every_key_is_described_and_every_number_tells_its_unit() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
 from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
@@ -12,6 +12,7 @@ from physsim.scene.spec.materials import Density
 from physsim.scene.spec.motion import MotionSpec
 from physsim.scene.spec.names import ItemName
 from physsim.scene.spec.orientation import OrientationSpec
+from physsim.scene.spec.schema_rules import Schema
 from physsim.scene.spec.shapes import ShapeSpec
 from physsim.scene.spec.values import AngularSpeed, Number, Position, Speed, Switch, Whole
 
@@ -21,6 +22,7 @@ Moment = Annotated[float, Number(kinds.INERTIA, above=0)]
 ProductOfInertia = Annotated[float, Number(kinds.INERTIA)]
 Count = Annotated[int, Whole(1, MAX_COUNT)]
 _ZERO = (0.0, 0.0, 0.0)
+_IS_FIXED: Schema = {"properties": {"fixed": {"const": True}}, "required": ["fixed"]}
 
 
 class InertiaSpec(Spec):
@@ -52,6 +54,7 @@ class RepeatSpec(Spec):
 class BodySpec(Spec):
     """A rigid body as it stands at the start."""
 
+    model_config = ConfigDict(json_schema_extra={"dependentSchemas": {"motion": _IS_FIXED}})
     shape: ShapeSpec = Field(description="What it looks like, collides as, and where its mass is.")
     fixed: Switch = Field(default=False, description="Whether it never moves.")
     material: ItemName | None = Field(

@@ -14,7 +14,7 @@ from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
 from physsim.scene.spec.materials import Restitution
 from physsim.scene.spec.profiles import ProfileSpec
-from physsim.scene.spec.schema_rules import none_of
+from physsim.scene.spec.schema_rules import SOMETHING, none_of
 from physsim.scene.spec.values import (
     Angle,
     AngularSpeed,
@@ -113,6 +113,7 @@ class TravelReturn(Spec):
 class AngleDrive(Spec):
     """What acts about a free axis."""
 
+    model_config = ConfigDict(json_schema_extra=SOMETHING)
     limits: tuple[Angle, Angle] | None = Field(
         default=None,
         description="Lowest and highest angle [rad], around 0; free when left out.",
@@ -132,6 +133,7 @@ class AngleDrive(Spec):
 class TravelDrive(Spec):
     """What acts along a free axis."""
 
+    model_config = ConfigDict(json_schema_extra=SOMETHING)
     limits: tuple[Length, Length] | None = Field(
         default=None,
         description="Lowest and highest travel [m], around 0; free when left out.",

@@ -11,7 +11,7 @@ from physsim.scene.spec.base import Spec
 from physsim.scene.spec.materials import Density
 from physsim.scene.spec.names import BodyPattern
 from physsim.scene.spec.profiles import ProfileSpec
-from physsim.scene.spec.schema_rules import any_of
+from physsim.scene.spec.schema_rules import SOMETHING, any_of, none_of
 from physsim.scene.spec.values import Acceleration, Force, Number, Position, Time, Torque
 
 Area = Annotated[float, Number(kinds.AREA, above=0)]
@@ -25,11 +25,12 @@ class DragSpec(Spec):
 
     model_config = ConfigDict(
         json_schema_extra={
+            **SOMETHING,
             "dependentRequired": {
                 "density": ["area", "coefficient"],
                 "area": ["density", "coefficient"],
                 "coefficient": ["density", "area"],
-            }
+            },
         }
     )
     linear: Annotated[float, Number(kinds.DAMPING, at_least=0)] = Field(
@@ -54,7 +55,11 @@ class ForceSpec(Spec):
 
     model_config = ConfigDict(
         json_schema_extra={
-            "oneOf": [any_of("force", "torque"), {"required": ["drag"]}, {"required": ["acceleration"]}],
+            "oneOf": [
+                {**any_of("force", "torque"), "properties": {"body": {"not": {"pattern": r"\*"}}}},
+                {"required": ["drag"], **none_of("until", "profile")},
+                {"required": ["acceleration"]},
+            ],
             "dependentRequired": {"at": ["force"], "region": ["acceleration"]},
         }
     )

@@ -17,7 +17,7 @@ from physsim.scene.spec.base import Spec
 from physsim.scene.spec.drives import AngleDrive, DriveSpec, TravelDrive, TurningJointDamping
 from physsim.scene.spec.materials import Restitution
 from physsim.scene.spec.names import BodyPair, ItemName
-from physsim.scene.spec.schema_rules import not_together, only_with
+from physsim.scene.spec.schema_rules import ALL_DIFFERENT, all_of, not_together, only_with
 from physsim.scene.spec.values import (
     NonZero,
     Number,
@@ -61,7 +61,7 @@ class TurningJoint(JointBase):
 class DistanceJoint(JointBase):
     """Keeps two points at one distance (a rod), or between two distances (a rope, a strut)."""
 
-    model_config = ConfigDict(json_schema_extra=not_together(("length", "limits")))
+    model_config = ConfigDict(json_schema_extra=all_of(*not_together(("length", "limits"))))
     type: Literal["distance"]
     anchors: tuple[Position, Position] = Field(
         default=((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)),
@@ -182,6 +182,7 @@ class GearJoint(Spec):
     joints: tuple[ItemName, ItemName] = Field(
         description="Names of two joints, each a hinge, a screw or cylindrical.",
         examples=[["axle_1", "axle_2"]],
+        json_schema_extra=ALL_DIFFERENT,
     )
     ratio: Annotated[PlainNumber, NonZero()] = Field(
         description="Angle of the second joint over angle of the first, not 0; negative turns the other way."

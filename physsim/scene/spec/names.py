@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
 from pydantic_core import core_schema
 
+from physsim.scene.spec.schema_rules import ALL_DIFFERENT
 from physsim.scene.spec.slip import slip
 
 WORLD = "world"
@@ -62,4 +63,4 @@ BodyName = Annotated[str, Name(reserved=(WORLD,))]
 BodyPattern = Annotated[str, Name(reserved=(WORLD,), pattern=True)]
 BodyReference = Annotated[str, Name()]
 ItemName = Annotated[str, Name()]
-BodyPair = tuple[BodyReference, BodyReference]
+BodyPair = Annotated[tuple[BodyReference, BodyReference], Field(json_schema_extra=ALL_DIFFERENT)]

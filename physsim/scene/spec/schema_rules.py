@@ -17,11 +17,22 @@ def none_of(*keys: str) -> Schema:
     return {"not": any_of(*keys)}
 
 
-def not_together(*pairs: tuple[str, str]) -> Schema:
+def not_together(*pairs: tuple[str, str]) -> list[Schema]:
     """Of each pair at most one."""
-    return {"allOf": [{"not": {"required": list(pair)}} for pair in pairs]}
+    return [{"not": {"required": list(pair)}} for pair in pairs]
+
+
+def all_of(*rules: Schema) -> Schema:
+    """All of the rules. The generator of the schema keeps `anyOf` beside a title for numbers."""
+    return {"allOf": list(rules)}
 
 
 def only_with(**needs: str) -> Schema:
     """Keys that mean something only beside another one."""
     return {"dependentRequired": {key: [other] for key, other in needs.items()}}
+
+
+SOMETHING: Schema = {"minProperties": 1}
+"""At least one key."""
+ALL_DIFFERENT: Schema = {"uniqueItems": True}
+"""A list without repetition."""

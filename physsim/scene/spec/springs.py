@@ -10,7 +10,7 @@ from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
 from physsim.scene.spec.materials import Restitution
 from physsim.scene.spec.names import BodyPair
-from physsim.scene.spec.schema_rules import not_together
+from physsim.scene.spec.schema_rules import Schema, all_of, any_of, not_together
 from physsim.scene.spec.values import (
     Angle,
     AngularSpeed,
@@ -37,7 +37,15 @@ _RATIO = (
     "damping."
 )
 _LINES = "straight lines between, the last ones go on outside"
-_EXCLUSIVE = (("damping", "damping_ratio"), ("damping", "damping_curve"), ("damping_ratio", "damping_curve"))
+
+
+def _rules(curve: str, *acting: str) -> Schema:
+    """Something acts, and damping is given in one way; a damping ratio needs one stiffness."""
+    ways = (("damping", "damping_ratio"), ("damping", "damping_curve"), ("damping_ratio", "damping_curve"))
+    return all_of(
+        any_of("stiffness", curve, "damping", "damping_curve", "preload", *acting),
+        *not_together(*ways, ("damping_ratio", curve)),
+    )
 
 
 class LinearSpring(Spec):
@@ -46,7 +54,7 @@ class LinearSpring(Spec):
     Tension, which pulls the ends together: k (length - rest length) + c d(length)/dt + preload.
     """
 
-    model_config = ConfigDict(json_schema_extra=not_together(*_EXCLUSIVE, ("damping_ratio", "force_curve")))
+    model_config = ConfigDict(json_schema_extra=_rules("force_curve", "limits"))
     type: Literal["linear"]
     between: BodyPair = Field(description=_BETWEEN)
     anchors: tuple[Position, Position] = Field(
@@ -99,7 +107,7 @@ class TorsionalSpring(Spec):
     Torque that turns it back: k (angle - rest angle) + c d(angle)/dt + preload; the angle is 0 as placed.
     """
 
-    model_config = ConfigDict(json_schema_extra=not_together(*_EXCLUSIVE, ("damping_ratio", "torque_curve")))
+    model_config = ConfigDict(json_schema_extra=_rules("torque_curve"))
     type: Literal["torsional"]
     between: BodyPair = Field(description=_BETWEEN)
     axis: UnitVector = Field(
