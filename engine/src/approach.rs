@@ -5,14 +5,13 @@
 //! the gap is closed; its contacts are those at that instant, with the normal and the arms that hold there. Pairs that
 //! pass each other drop out on the way.
 
-use glam::DVec3;
-
 use crate::body::Body;
 use crate::collide::{Detector, Found, Job, Oracle};
-use crate::contact::Contact;
+use crate::contact::{relative_velocity, Contact};
 use crate::impact::{normal_acceleration, touching_instant, Rules};
 use crate::math::rotation_from_vector;
 use crate::model::{Geom, PairTable, Settings};
+use crate::mover::Twist;
 use crate::shape::Pose;
 
 /// Contacts appear before the surfaces touch, at this part of the smaller geom's bounding radius.
@@ -32,8 +31,8 @@ pub struct StepStart<'a> {
     pub pairs: &'a PairTable,
     /// Bodies at the start of the step.
     pub bodies: &'a [Body],
-    /// Their free accelerations.
-    pub accelerations: &'a [DVec3],
+    /// Their accelerations but for contacts.
+    pub accelerations: &'a [Twist],
     /// What the last contact solve may have left of each body's velocity [m/s].
     pub noise: &'a [f64],
     /// When an approach counts as an impact.
@@ -170,18 +169,24 @@ impl StepStart<'_> {
         near_margin(a, b)
     }
 
-    /// The centre-of-mass pose of a body at an instant of the step, if nothing hits it: x + v t + a t (t + dt) / 2.
+    /// The centre-of-mass pose of a body at an instant of the step, if nothing hits it: x + v t + a t (t + s dt) / 2.
     fn pose_at(&self, body: usize, t: f64) -> Pose {
         let b = &self.bodies[body];
-        if b.is_fixed() || t == 0.0 {
+        if t == 0.0 {
             return b.pose();
         }
-        let turn = rotation_from_vector(b.angular_velocity * t);
-        let fall = self.accelerations[body] * (0.5 * t * (t + self.settings.timestep));
+        let fall = self.fall(t);
+        let a = &self.accelerations[body];
+        let turn = rotation_from_vector(b.angular_velocity * t + a.angular_velocity * fall);
         Pose {
-            position: b.state.position + b.state.velocity * t + fall,
+            position: b.state.position + b.state.velocity * t + a.velocity * fall,
             rotation: glam::DMat3::from_quat(turn) * b.rotation,
         }
+    }
+
+    /// Displacement at the instant t by a unit acceleration, t (t + s dt) / 2 [s^2].
+    fn fall(&self, t: f64) -> f64 {
+        0.5 * t * (t + self.rules.offset())
     }
 
     fn job_at(&self, job: &Job, t: f64) -> Job {
@@ -212,9 +217,8 @@ impl StepStart<'_> {
         );
         c.noise = self.noise[a.body].max(self.noise[b.body]);
         if t > 0.0 {
-            let fall = normal_acceleration(&c, self.accelerations)
-                * (0.5 * t * (t + self.settings.timestep));
-            c.gap -= c.velocity_before.dot(c.normal) * t + fall;
+            let fall = normal_acceleration(&c, self.accelerations) * self.fall(t);
+            c.gap -= relative_velocity(self.bodies, c.bodies, c.arms).dot(c.normal) * t + fall;
             c.instant = t;
         }
         c

@@ -4,6 +4,7 @@ use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::math::symmetric_eigen;
+use crate::mover::Twist;
 use crate::shape::Pose;
 
 /// Mass and principal moments of inertia. Fixed bodies have inverse mass and inverse moments zero.
@@ -51,7 +52,7 @@ impl MassProperties {
 }
 
 /// What moves: the state that integrators advance and checkpoints keep.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct State {
     /// Of the centre of mass [m].
     pub position: DVec3,
@@ -78,6 +79,8 @@ pub struct Body {
     pub angular_velocity: DVec3,
     /// Greatest distance of the body's geometry from its centre of mass [m].
     pub reach: f64,
+    /// Velocity of its surface against the body, body axes [m/s]: a conveyor.
+    pub surface_velocity: DVec3,
 }
 
 impl Body {
@@ -91,6 +94,7 @@ impl Body {
             inverse_inertia: DMat3::ZERO,
             angular_velocity: DVec3::ZERO,
             reach: 0.0,
+            surface_velocity: DVec3::ZERO,
         };
         body.refresh();
         body
@@ -114,7 +118,10 @@ impl Body {
         let principal = DMat3::from_quat((self.state.orientation * self.mass.axes).normalize());
         self.inverse_inertia =
             principal * DMat3::from_diagonal(self.mass.inverse_moments) * principal.transpose();
-        self.angular_velocity = self.inverse_inertia * self.state.angular_momentum;
+        // A fixed body that follows a prescribed path is told its angular velocity.
+        if !self.is_fixed() {
+            self.angular_velocity = self.inverse_inertia * self.state.angular_momentum;
+        }
     }
 
     /// Give the body this angular velocity [rad/s], world axes: L = I_world omega.
@@ -127,13 +134,26 @@ impl Body {
 
     /// Impulse `p` [N s] at the arm `r` from the centre of mass: dv = p/m, dL = r x p.
     pub fn apply_impulse(&mut self, p: DVec3, r: DVec3) {
+        self.apply_wrench(p, r.cross(p));
+    }
+
+    /// Impulse `p` [N s] and angular impulse `turn` [N m s] about the centre of mass.
+    pub fn apply_wrench(&mut self, p: DVec3, turn: DVec3) {
         if self.is_fixed() {
             return;
         }
-        let turn = r.cross(p);
         self.state.velocity += p * self.mass.inverse_mass;
         self.state.angular_momentum += turn;
         self.angular_velocity += self.inverse_inertia * turn;
+    }
+
+    /// Velocity and angular velocity.
+    #[must_use]
+    pub fn twist(&self) -> Twist {
+        Twist {
+            velocity: self.state.velocity,
+            angular_velocity: self.angular_velocity,
+        }
     }
 
     /// Velocity of the material point at the arm `r` from the centre of mass: v + omega x r.

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::Body;
 use crate::math::{length, tangents};
 use crate::model::{Coefficients, Geom};
+use crate::mover::{velocity_of, Moving};
 use crate::narrowphase::ContactPoint;
 
 /// Friction of a contact in the solve at hand.
@@ -38,6 +39,8 @@ pub struct Contact {
     pub gap: f64,
     /// What the last contact solve may have left of its bodies' velocities [m/s].
     pub noise: f64,
+    /// What the bodies' surfaces move by themselves (conveyors), A against B, along normal and tangents [m/s].
+    pub surface: DVec3,
     /// Instant within the step at which position and normal hold [s].
     pub instant: f64,
     /// Arms from the centres of mass [m].
@@ -95,6 +98,8 @@ impl Contact {
         let arms = (point.position - centres.0, point.position - centres.1);
         let k_n = response(a, b, arms, point.normal);
         let (tangent_1, tangent_2, k_tangent) = principal_tangents(a, b, arms, point.normal);
+        let belt = a.rotation * a.surface_velocity - b.rotation * b.surface_velocity;
+        let surface = DVec3::new(0.0, belt.dot(tangent_1), belt.dot(tangent_2));
         Self {
             geoms,
             bodies: indices,
@@ -105,6 +110,7 @@ impl Contact {
             tangent_2,
             gap: -point.depth,
             noise: 0.0,
+            surface,
             instant: 0.0,
             arms,
             k_normal: k_n.dot(point.normal),
@@ -115,7 +121,9 @@ impl Contact {
             target: 0.0,
             impulse: DVec3::ZERO,
             impact_impulse: DVec3::ZERO,
-            velocity_before: relative_velocity(bodies, indices, arms),
+            velocity_before: relative_velocity(bodies, indices, arms)
+                + tangent_1 * surface.y
+                + tangent_2 * surface.z,
             velocity_after: DVec3::ZERO,
             sliding: false,
         }
@@ -140,7 +148,26 @@ impl Contact {
     /// Relative velocity now, along normal and tangents [m/s].
     #[must_use]
     pub fn velocity(&self, bodies: &[Body]) -> DVec3 {
-        self.to_local(relative_velocity(bodies, self.bodies, self.arms))
+        self.to_local(relative_velocity(bodies, self.bodies, self.arms)) + self.surface
+    }
+
+    /// The same while impulses are still being found.
+    pub(crate) fn velocity_among(&self, moving: &[impl Moving]) -> DVec3 {
+        velocity_of(moving, self) + self.surface
+    }
+
+    /// The part of the relative velocity that is driven from outside, by conveyors and by fixed bodies on a path [m/s].
+    #[must_use]
+    pub fn driven(&self, bodies: &[Body]) -> DVec3 {
+        let of = |body: usize, arm: DVec3| {
+            if bodies[body].is_fixed() {
+                bodies[body].velocity_at(arm)
+            } else {
+                DVec3::ZERO
+            }
+        };
+        of(self.bodies.0, self.arms.0) - of(self.bodies.1, self.arms.1)
+            + self.to_world(self.surface)
     }
 
     /// Tangential part of all impulses of the step, in world axes [N s].

@@ -2,8 +2,8 @@
 //!
 //! A contact is hit when its surfaces approach faster than a resting contact could within one step, and touch before
 //! the step ends. It is hit at its own instant t inside the step, on the parabola that the integrator's positions lie
-//! on, x(t) = x + v t + a t (t + dt) / 2 (semi-implicit Euler's velocities are those of the parabola half a step
-//! earlier, so the velocity at t is v + a (t + dt/2)). Newton's rule at that instant,
+//! on, x(t) = x + v t + a t (t + s dt) / 2 with s = 2 lead - 1 (semi-implicit Euler has s = 1: its velocities are those of
+//! the parabola half a step earlier, so the velocity at t is v + a (t + dt/2)). Newton's rule at that instant,
 //!
 //! ```text
 //! u_n' = -e u_n
@@ -20,8 +20,10 @@
 
 use glam::DVec3;
 
+use crate::articulation::{Aim, Articulation};
 use crate::body::Body;
 use crate::contact::Contact;
+use crate::mover::Twist;
 use crate::solver::{Limits, Solver};
 
 /// Generations in one step at most. What approaches after that is stopped by the contact solve, without restitution;
@@ -79,6 +81,16 @@ pub struct Rules {
     pub slip_speed: f64,
     /// Sweeps at most.
     pub iterations: usize,
+    /// Weight of the end velocity in a displacement, see [`crate::integrator::Integrator::lead`].
+    pub lead: f64,
+}
+
+impl Rules {
+    /// s dt: by how much the integrator's parabola lies ahead of its velocities, twice [s].
+    #[must_use]
+    pub fn offset(&self) -> f64 {
+        (2.0 * self.lead - 1.0) * self.timestep
+    }
 }
 
 /// Working memory of the impact stage.
@@ -92,45 +104,98 @@ pub struct Impacts {
     before: Vec<DVec3>,
     /// From the carried velocity to the one at the instant, of each hit contact.
     gained: Vec<f64>,
-    elastic: Vec<DVec3>,
+    elastic: Outcome,
+    plastic: Outcome,
+    /// The instant of the impacts on each assembly of joints.
+    joint_instants: Vec<f64>,
     /// Work of the impulses of this step [J]: normal and tangential parts.
     pub work: (f64, f64),
     /// Of each body, in this step.
     pub kinks: Vec<Kink>,
     /// Since they were last taken away.
     pub events: Vec<Event>,
+    /// Some contact was hit in this step.
+    pub any: bool,
+}
+
+/// What a solve of the hit contacts came to.
+#[derive(Clone, Debug, Default)]
+struct Outcome {
+    /// Of each hit contact, along normal and tangents [N s].
+    impulses: Vec<DVec3>,
+    /// Relative velocity of each hit contact afterwards, as the integrator carries it [m/s].
+    after: Vec<DVec3>,
+    /// Of each row of the joints.
+    joints: Vec<f64>,
+}
+
+impl Outcome {
+    fn take(
+        &mut self,
+        hit: &[usize],
+        contacts: &[Contact],
+        solver: &Solver,
+        joints: &Articulation,
+    ) {
+        self.impulses.clear();
+        self.impulses
+            .extend(hit.iter().map(|&k| contacts[k].impulse));
+        self.after.clear();
+        self.after
+            .extend(hit.iter().map(|&k| solver.velocity(&contacts[k])));
+        self.joints.clear();
+        self.joints.extend_from_slice(joints.impulses());
+    }
+
+    /// The part `s` of the way to another outcome.
+    fn blend(&mut self, other: &Self, s: f64) {
+        for (a, b) in self.impulses.iter_mut().zip(&other.impulses) {
+            *a = a.lerp(*b, s);
+        }
+        for (a, b) in self.after.iter_mut().zip(&other.after) {
+            *a = a.lerp(*b, s);
+        }
+        for (a, b) in self.joints.iter_mut().zip(&other.joints) {
+            *a += s * (b - *a);
+        }
+    }
+}
+
+/// What impacts act on.
+pub struct Scene<'a> {
+    /// All bodies.
+    pub bodies: &'a mut [Body],
+    /// Their accelerations.
+    pub accelerations: &'a [Twist],
+    /// Contacts of the step.
+    pub contacts: &'a mut [Contact],
+    /// Joints, loaded at the bodies' poses.
+    pub articulation: &'a mut Articulation,
 }
 
 impl Impacts {
     /// Resolve all impacts of a step: changes velocities of bodies and impact impulses of contacts, and leaves `kinks`.
-    pub fn resolve(
-        &mut self,
-        bodies: &mut [Body],
-        accelerations: &[DVec3],
-        contacts: &mut [Contact],
-        rules: &Rules,
-    ) {
+    pub fn resolve(&mut self, scene: &mut Scene, rules: &Rules) {
         self.kinks.clear();
-        self.kinks.resize(bodies.len(), Kink::default());
+        self.kinks.resize(scene.bodies.len(), Kink::default());
         self.work = (0.0, 0.0);
+        self.any = false;
         for generation in 0..GENERATIONS {
-            self.find_hit(bodies, accelerations, contacts, rules);
-            let rebounds = |&k: &usize| rebounds(&contacts[k], bodies, accelerations, rules);
+            self.find_hit(scene, rules);
+            let rebounds =
+                |&k: &usize| rebounds(&scene.contacts[k], scene.bodies, scene.accelerations, rules);
             if self.hit.is_empty() || (generation > 0 && !self.hit.iter().any(rebounds)) {
                 break;
             }
-            self.reflect(bodies, accelerations, contacts, rules);
+            self.any = true;
+            self.reflect(scene, rules);
         }
     }
 
-    /// Of all contacts that will touch at speed, those that no other precedes on either of their bodies.
-    fn find_hit(
-        &mut self,
-        bodies: &[Body],
-        accelerations: &[DVec3],
-        contacts: &[Contact],
-        rules: &Rules,
-    ) {
+    /// Of all contacts that will touch at speed, those that no other precedes on either of their bodies, or on a body
+    /// that joints tie to them.
+    fn find_hit(&mut self, scene: &Scene, rules: &Rules) {
+        let (bodies, contacts) = (&*scene.bodies, &*scene.contacts);
         self.hit.clear();
         self.instants.clear();
         let kinks = &self.kinks;
@@ -138,18 +203,20 @@ impl Impacts {
         self.instants.extend(
             contacts
                 .iter()
-                .map(|c| at(c).hit_at(c, bodies, accelerations, rules)),
+                .map(|c| at(c).hit_at(c, bodies, scene.accelerations, rules)),
         );
         self.earliest.clear();
         self.earliest.resize(bodies.len(), f64::INFINITY);
+        let leader = |k: usize| scene.articulation.leader(k);
         for (c, &instant) in contacts.iter().zip(&self.instants) {
-            for k in [c.bodies.0, c.bodies.1] {
+            for k in [leader(c.bodies.0), leader(c.bodies.1)] {
                 self.earliest[k] = self.earliest[k].min(instant);
             }
         }
         let same = SAME * rules.timestep;
         for (index, (c, &instant)) in contacts.iter().zip(&self.instants).enumerate() {
-            let first = |k: usize| bodies[k].is_fixed() || instant <= self.earliest[k] + same;
+            let first =
+                |k: usize| bodies[k].is_fixed() || instant <= self.earliest[leader(k)] + same;
             if instant.is_finite() && first(c.bodies.0) && first(c.bodies.1) {
                 self.hit.push(index);
             }
@@ -157,23 +224,16 @@ impl Impacts {
     }
 
     /// Newton's rule for all contacts of this generation together.
-    fn reflect(
-        &mut self,
-        bodies: &mut [Body],
-        accelerations: &[DVec3],
-        contacts: &mut [Contact],
-        rules: &Rules,
-    ) {
+    fn reflect(&mut self, scene: &mut Scene, rules: &Rules) {
         self.before.clear();
         self.gained.clear();
         let mut fastest = 0.0_f64;
         for &k in &self.hit {
-            let c = &mut contacts[k];
-            let u = c.velocity(bodies);
-            let gained = gained_speed(c, accelerations, self.instants[k], rules.timestep);
+            let c = &mut scene.contacts[k];
+            let u = c.velocity(scene.bodies);
+            let gained = gained_speed(c, scene.accelerations, self.instants[k], rules);
             c.choose_friction(u, rules.slip_speed);
-            c.target = reflected(u.x, gained, c, accelerations, rules);
-            c.impulse = DVec3::ZERO;
+            c.target = reflected(u.x, gained, c, scene.accelerations, rules);
             fastest = fastest.max(u.length());
             self.before.push(u + DVec3::X * gained);
             self.gained.push(gained);
@@ -183,44 +243,53 @@ impl Impacts {
             iterations: 2 * rules.iterations,
             tolerance: (1e-10 * fastest).min(rules.tolerance),
         };
-        self.solver.solve(bodies, contacts, &self.hit, limits);
-        self.keep_energy(bodies, contacts, limits);
-        self.apply(bodies, contacts, rules);
+        self.solve(scene, limits);
+        self.elastic
+            .take(&self.hit, scene.contacts, &self.solver, scene.articulation);
+        self.keep_energy(scene, limits);
+        self.apply(scene, rules);
+    }
+
+    fn solve(&mut self, scene: &mut Scene, limits: Limits) {
+        for &k in &self.hit {
+            scene.contacts[k].impulse = DVec3::ZERO;
+        }
+        // Joints keep the rates that they have; of the drives only a limit can push without bound.
+        let bodies = &*scene.bodies;
+        scene.articulation.aim(
+            |row| row.rate(bodies),
+            |drive| Aim::of_impact(drive, bodies),
+        );
+        self.solver.load(bodies);
+        self.solver
+            .solve(scene.contacts, &self.hit, scene.articulation, limits);
     }
 
     /// Work of the impulses, sum of J . (u + u') / 2, must not be positive. With restitution a part s of the impulses
     /// beyond the plastic ones it is a quadratic in s, at most zero for s = 0; take the greatest s that keeps it so.
-    fn keep_energy(&mut self, bodies: &[Body], contacts: &mut [Contact], limits: Limits) {
-        let full = work_of(&self.hit, &self.before, &self.gained, bodies, contacts);
+    fn keep_energy(&mut self, scene: &mut Scene, limits: Limits) {
+        let full = self.work_of(&self.elastic, &self.elastic);
         let scale: f64 = self
-            .hit
+            .elastic
+            .impulses
             .iter()
             .zip(&self.before)
-            .map(|(&k, u)| (contacts[k].impulse.x * u.x).abs())
+            .map(|(p, u)| (p.x * u.x).abs())
             .sum();
         if full <= 1e-12 * scale {
             return;
         }
-        self.elastic.clear();
-        self.elastic
-            .extend(self.hit.iter().map(|&k| contacts[k].impulse));
         for &k in &self.hit {
-            contacts[k].target = contacts[k].target.min(0.0);
-            contacts[k].impulse = DVec3::ZERO;
+            scene.contacts[k].target = scene.contacts[k].target.min(0.0);
         }
-        self.solver.solve(bodies, contacts, &self.hit, limits);
-        let plastic: Vec<DVec3> = self.hit.iter().map(|&k| contacts[k].impulse).collect();
-        let mut blend = |s: f64| {
-            for ((&k, &p), &e) in self.hit.iter().zip(&plastic).zip(&self.elastic) {
-                contacts[k].impulse = p.lerp(e, s);
-            }
-            work_of(&self.hit, &self.before, &self.gained, bodies, contacts)
-        };
-        let (none, half) = (blend(0.0), blend(0.5));
-        let (a, b) = (
-            2.0 * (full - 2.0 * half + none),
-            4.0 * half - 3.0 * none - full,
-        );
+        self.solve(scene, limits);
+        self.plastic
+            .take(&self.hit, scene.contacts, &self.solver, scene.articulation);
+        // W(s) = (1 - s)^2 W_pp + s (1 - s) (W_pe + W_ep) + s^2 W_ee, with W_xy the impulses of x on the velocities of y.
+        let none = self.work_of(&self.plastic, &self.plastic);
+        let mixed =
+            self.work_of(&self.plastic, &self.elastic) + self.work_of(&self.elastic, &self.plastic);
+        let (a, b) = (full - mixed + none, mixed - 2.0 * none);
         let root = (b * b - 4.0 * a * none).max(0.0).sqrt();
         // none <= 0 < full: exactly one root lies in [0, 1]; written so that nothing cancels.
         let s = if b >= 0.0 {
@@ -228,31 +297,72 @@ impl Impacts {
         } else {
             (root - b) / (2.0 * a)
         };
-        blend(s.clamp(0.0, 1.0));
+        self.plastic.blend(&self.elastic, s.clamp(0.0, 1.0));
+        std::mem::swap(&mut self.plastic, &mut self.elastic);
+    }
+
+    /// Sum over the hit contacts of J . (u + u') / 2 [J].
+    fn work_of(&self, pushing: &Outcome, moving: &Outcome) -> f64 {
+        let mut sum = 0.0;
+        for (slot, p) in pushing.impulses.iter().enumerate() {
+            let after = moving.after[slot] + DVec3::X * self.gained[slot];
+            sum += 0.5 * p.dot(self.before[slot] + after);
+        }
+        sum
     }
 
     /// Give the impulses to the bodies, and write down what happened.
-    fn apply(&mut self, bodies: &mut [Body], contacts: &mut [Contact], rules: &Rules) {
-        for &k in &self.hit {
-            let c = &mut contacts[k];
-            let p = c.to_world(c.impulse);
+    fn apply(&mut self, scene: &mut Scene, rules: &Rules) {
+        self.joint_instants.clear();
+        self.joint_instants.resize(scene.articulation.len(), 0.0);
+        for (&k, &impulse) in self.hit.iter().zip(&self.elastic.impulses) {
+            let c = &mut scene.contacts[k];
+            c.impulse = impulse;
+            let p = c.to_world(impulse);
             c.impact_impulse += p;
+            let instant = self.instants[k];
             for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
-                let (b, kink) = (&mut bodies[body], &mut self.kinks[body]);
-                if b.is_fixed() {
-                    continue; // it has no path to bend, and must not make others wait for its impacts
+                let kink = &mut self.kinks[body];
+                kink.bend(
+                    &mut scene.bodies[body],
+                    impulse,
+                    arm.cross(impulse),
+                    instant,
+                );
+                if let Some(assembly) = scene.articulation.home(body) {
+                    self.joint_instants[assembly] = self.joint_instants[assembly].max(instant);
                 }
-                let instant = self.instants[k];
-                kink.shift -= impulse * (b.mass.inverse_mass * instant);
-                kink.turn -= b.inverse_inertia * arm.cross(impulse) * instant;
-                kink.instant = instant;
-                b.apply_impulse(impulse, arm);
             }
         }
-        for ((&k, before), gained) in self.hit.iter().zip(&self.before).zip(&self.gained) {
-            let c = &contacts[k];
-            let after = c.velocity(bodies) + DVec3::X * *gained;
-            let mean = 0.5 * (*before + after);
+        self.apply_joints(scene);
+        self.note(scene, rules);
+    }
+
+    fn apply_joints(&mut self, scene: &mut Scene) {
+        for (row, &x) in scene
+            .articulation
+            .all_rows()
+            .iter()
+            .zip(&self.elastic.joints)
+        {
+            if x == 0.0 {
+                continue;
+            }
+            for end in row.ends() {
+                let home = scene.articulation.home(end.body);
+                let instant = home.map_or(0.0, |assembly| self.joint_instants[assembly]);
+                let body = &mut scene.bodies[end.body];
+                self.kinks[end.body].bend(body, end.linear * x, end.angular * x, instant);
+            }
+        }
+    }
+
+    fn note(&mut self, scene: &mut Scene, rules: &Rules) {
+        for (slot, &k) in self.hit.iter().enumerate() {
+            let c = &scene.contacts[k];
+            let before = self.before[slot];
+            let after = self.elastic.after[slot] + DVec3::X * self.gained[slot];
+            let mean = 0.5 * (before + after);
             self.work.0 += c.impulse.x * mean.x;
             self.work.1 += c.impulse.y * mean.y + c.impulse.z * mean.z;
             if c.impulse.x <= 0.0 {
@@ -273,44 +383,28 @@ impl Impacts {
     }
 }
 
-/// Sum over the hit contacts of J . (u + u') / 2 [J], u' = the velocities that the impulses would give.
-fn work_of(
-    hit: &[usize],
-    before: &[DVec3],
-    gained: &[f64],
-    bodies: &[Body],
-    contacts: &[Contact],
-) -> f64 {
-    // Velocity changes of the bodies, found on copies: generations are small.
-    let mut touched: Vec<(usize, Body)> = Vec::new();
-    let slot_of = |k: usize, touched: &mut Vec<(usize, Body)>| {
-        touched
-            .iter()
-            .position(|(i, _)| *i == k)
-            .unwrap_or_else(|| {
-                touched.push((k, bodies[k].clone()));
-                touched.len() - 1
-            })
-    };
-    for &k in hit {
-        let c = &contacts[k];
-        let p = c.to_world(c.impulse);
-        for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
-            let slot = slot_of(body, &mut touched);
-            touched[slot].1.apply_impulse(impulse, arm);
+impl Kink {
+    /// An impulse and an angular impulse at an instant: the body gets them, and its path bends there and not at the
+    /// start of the step.
+    fn bend(&mut self, body: &mut Body, impulse: DVec3, turn: DVec3, instant: f64) {
+        if body.is_fixed() {
+            return; // it has no path to bend, and must not make others wait for its impacts
+        }
+        self.shift -= impulse * (body.mass.inverse_mass * instant);
+        self.turn -= body.inverse_inertia * turn * instant;
+        self.instant = instant;
+        body.apply_wrench(impulse, turn);
+    }
+
+    /// Put a body where its bent path ends, after a step that ran on straight.
+    pub fn straighten(&self, body: &mut Body) {
+        body.state.position += self.shift;
+        if self.turn != DVec3::ZERO {
+            body.state.orientation =
+                crate::math::rotation_from_vector(self.turn) * body.state.orientation;
+            body.refresh();
         }
     }
-    let mut sum = 0.0;
-    for ((&k, u), gain) in hit.iter().zip(before).zip(gained) {
-        let c = &contacts[k];
-        let (a, b) = (
-            slot_of(c.bodies.0, &mut touched),
-            slot_of(c.bodies.1, &mut touched),
-        );
-        let after = touched[a].1.velocity_at(c.arms.0) - touched[b].1.velocity_at(c.arms.1);
-        sum += 0.5 * c.impulse.dot(*u + c.to_local(after) + DVec3::X * *gain);
-    }
-    sum
 }
 
 /// The kinks of the two bodies of a contact.
@@ -322,7 +416,7 @@ impl Kinks {
         &self,
         c: &Contact,
         bodies: &[Body],
-        accelerations: &[DVec3],
+        accelerations: &[Twist],
         rules: &Rules,
     ) -> f64 {
         let dt = rules.timestep;
@@ -333,7 +427,7 @@ impl Kinks {
         let gap = c.gap + self.gap_change(c);
         let earliest = self.0.instant.max(self.1.instant);
         let a = normal_acceleration(c, accelerations);
-        let t = first_root(gap, speed + 0.5 * a * dt, 0.5 * a).max(earliest);
+        let t = first_root(gap, speed + 0.5 * a * rules.offset(), 0.5 * a).max(earliest);
         if t < dt {
             t
         } else {
@@ -343,7 +437,7 @@ impl Kinks {
 
     /// The same, but a contact that was followed to its touching is hit at just the instant that its arms belong to,
     /// so that the angular momentum of the impact is kept to the last bit.
-    fn hit_at(&self, c: &Contact, bodies: &[Body], accelerations: &[DVec3], rules: &Rules) -> f64 {
+    fn hit_at(&self, c: &Contact, bodies: &[Body], accelerations: &[Twist], rules: &Rules) -> f64 {
         let t = self.touching(c, bodies, accelerations, rules);
         let earliest = self.0.instant.max(self.1.instant);
         let own = (t - c.instant).abs() <= SAME * rules.timestep && c.instant >= earliest;
@@ -368,7 +462,7 @@ impl Kinks {
 pub fn touching_instant(
     c: &Contact,
     bodies: &[Body],
-    accelerations: &[DVec3],
+    accelerations: &[Twist],
     rules: &Rules,
 ) -> f64 {
     Kinks(Kink::default(), Kink::default()).touching(c, bodies, accelerations, rules)
@@ -380,38 +474,39 @@ pub fn gap_change(kinks: &[Kink], c: &Contact) -> f64 {
     Kinks(kinks[c.bodies.0], kinks[c.bodies.1]).gap_change(c)
 }
 
-/// a_A - a_B along the normal [m/s^2].
+/// Acceleration of A's point against B's along the normal, without the centripetal parts [m/s^2].
 #[must_use]
-pub fn normal_acceleration(c: &Contact, accelerations: &[DVec3]) -> f64 {
-    (accelerations[c.bodies.0] - accelerations[c.bodies.1]).dot(c.normal)
+pub fn normal_acceleration(c: &Contact, accelerations: &[Twist]) -> f64 {
+    let (a, b) = (&accelerations[c.bodies.0], &accelerations[c.bodies.1]);
+    (a.at(c.arms.0) - b.at(c.arms.1)).dot(c.normal)
 }
 
 /// Approach up to this speed is what a resting contact may show within a step: forces may bring it about, or the last
 /// contact solve may have left it; the next one takes it away [m/s].
 #[must_use]
-pub fn quiet_speed(c: &Contact, accelerations: &[DVec3], rules: &Rules) -> f64 {
+pub fn quiet_speed(c: &Contact, accelerations: &[Twist], rules: &Rules) -> f64 {
     // Not of the difference: a body that is held from below falls onto it, whatever its own acceleration is.
-    let along = |body: usize| accelerations[body].dot(c.normal).abs();
-    (along(c.bodies.0).max(along(c.bodies.1)) * rules.timestep)
+    let along = |body: usize, arm: DVec3| accelerations[body].at(arm).dot(c.normal).abs();
+    (along(c.bodies.0, c.arms.0).max(along(c.bodies.1, c.arms.1)) * rules.timestep)
         .max(rules.tolerance)
         .max(rules.bounce_speed)
         .max(c.noise)
 }
 
-/// From the velocity that semi-implicit Euler carries at the start of a step to the velocity at the instant t of the
-/// parabola through its positions: a (t + dt/2), along the normal [m/s].
-fn gained_speed(c: &Contact, accelerations: &[DVec3], instant: f64, timestep: f64) -> f64 {
-    normal_acceleration(c, accelerations) * (instant + 0.5 * timestep)
+/// From the velocity that the integrator carries at the start of a step to the velocity at the instant t of the parabola
+/// through its positions: a (t + s dt / 2), along the normal [m/s].
+fn gained_speed(c: &Contact, accelerations: &[Twist], instant: f64, rules: &Rules) -> f64 {
+    normal_acceleration(c, accelerations) * (instant + 0.5 * rules.offset())
 }
 
 /// The contact leaves again, faster than a resting contact may.
-fn rebounds(c: &Contact, bodies: &[Body], accelerations: &[DVec3], rules: &Rules) -> bool {
+fn rebounds(c: &Contact, bodies: &[Body], accelerations: &[Twist], rules: &Rules) -> bool {
     -c.coefficients.restitution * c.velocity(bodies).x > quiet_speed(c, accelerations, rules)
 }
 
 /// The normal velocity to leave with, -e times the one at touching, as the integrator carries it. A bounce so small
 /// that the next step would end it counts as none.
-fn reflected(speed: f64, gained: f64, c: &Contact, accelerations: &[DVec3], rules: &Rules) -> f64 {
+fn reflected(speed: f64, gained: f64, c: &Contact, accelerations: &[Twist], rules: &Rules) -> f64 {
     let leave = -c.coefficients.restitution * (speed + gained);
     if leave <= quiet_speed(c, accelerations, rules) {
         return 0.0;

@@ -7,9 +7,17 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::force::Potential;
+
 /// Running sums since the start [J]; losses are positive when energy was lost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ledger {
+    /// Done by declared forces and torques.
+    pub work_forces: f64,
+    /// Done by motors, conveyors and bodies that follow a path.
+    pub work_motors: f64,
+    /// Into dampers and drag.
+    pub lost_damping: f64,
     /// Into friction.
     pub lost_friction: f64,
     /// Into impacts and the normal part of contacts.
@@ -35,8 +43,8 @@ pub struct Energies {
     pub kinetic_translational: f64,
     /// Sum of omega . L / 2.
     pub kinetic_rotational: f64,
-    /// -Sum of m g . x, zero at the origin.
-    pub gravitational: f64,
+    /// Of gravity, gravitation and springs.
+    pub potential: Potential,
     /// The books.
     pub ledger: Ledger,
 }
@@ -45,13 +53,16 @@ impl Energies {
     /// Kinetic and potential energy together.
     #[must_use]
     pub fn total(&self) -> f64 {
-        self.kinetic_translational + self.kinetic_rotational + self.gravitational
+        self.kinetic_translational + self.kinetic_rotational + self.potential.total()
     }
 
     /// What the books do not explain.
     #[must_use]
     pub fn residual(&self) -> f64 {
         let l = &self.ledger;
-        self.total() - l.initial - l.stabilization + l.lost_friction + l.lost_impact
+        self.total() - l.initial - l.stabilization - l.work_forces - l.work_motors
+            + l.lost_damping
+            + l.lost_friction
+            + l.lost_impact
     }
 }

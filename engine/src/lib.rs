@@ -3,6 +3,7 @@
 //! Read `world.rs` first: its `step` names every stage in order.
 
 pub mod approach;
+pub mod articulation;
 pub mod body;
 pub mod broadphase;
 pub mod collide;
@@ -14,11 +15,13 @@ pub mod integrator;
 mod islands;
 pub mod joint;
 pub mod ledger;
+pub mod loads;
 pub mod math;
 pub mod model;
 pub mod motion;
-mod mover;
+pub mod mover;
 pub mod narrowphase;
+pub mod paths;
 pub mod position;
 pub mod profile;
 pub mod shape;

@@ -22,6 +22,21 @@ pub fn rotation_from_vector(v: DVec3) -> DQuat {
     .normalize()
 }
 
+/// Rotation vector [rad] of a unit quaternion, with an angle of at most pi: the inverse of [`rotation_from_vector`].
+#[must_use]
+pub fn rotation_vector(q: DQuat) -> DVec3 {
+    let q = if q.w < 0.0 { -q } else { q };
+    let axis = DVec3::new(q.x, q.y, q.z);
+    let sine = axis.length();
+    // angle / sin(angle / 2) -> 2 as the angle goes to 0.
+    let scale = if sine > 1e-9 {
+        2.0 * libm::atan2(sine, q.w) / sine
+    } else {
+        2.0
+    };
+    axis * scale
+}
+
 /// Length of (x, y). The library's `hypot` guards against overflow that cannot happen here, and its last bit depends
 /// on the platform.
 #[must_use]
@@ -112,6 +127,19 @@ mod tests {
         assert!((below.x - above.x).abs() < 2e-12);
         let quarter = rotation_from_vector(DVec3::Z * std::f64::consts::FRAC_PI_2) * DVec3::X;
         assert!((quarter - DVec3::Y).length() < 1e-15);
+    }
+
+    #[test]
+    fn rotation_vector_takes_back_rotation_from_vector() {
+        for v in [
+            DVec3::ZERO,
+            DVec3::X * 1e-12,
+            DVec3::new(0.3, -1.2, 0.5),
+            DVec3::Z * 3.1,
+        ] {
+            assert!((rotation_vector(rotation_from_vector(v)) - v).length() < 1e-15);
+            assert!((rotation_vector(-rotation_from_vector(v)) - v).length() < 1e-15);
+        }
     }
 
     #[test]

@@ -3,6 +3,10 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::{MassProperties, State};
+use crate::force::ForceModel;
+use crate::integrator::Integrator;
+use crate::joint::{DriveModel, JointModel};
+use crate::motion::Motion;
 use crate::shape::{Pose, Shape};
 
 /// How an overlap is taken back.
@@ -17,10 +21,12 @@ pub enum Stabilization {
 /// The numbers of the scene's `world` and `simulation`.
 #[derive(Clone, Debug)]
 pub struct Settings {
-    /// [m/s^2]
-    pub gravity: DVec3,
     /// [s]
     pub timestep: f64,
+    /// How a step is made.
+    pub integrator: Integrator,
+    /// Every impact ends a part of the step at its instant.
+    pub located: bool,
     /// Sweeps of the solver at most.
     pub iterations: usize,
     /// Residual [m/s] below which the solver stops.
@@ -122,4 +128,14 @@ pub struct Model {
     pub pairs: PairTable,
     /// Pairs of bodies that do not touch.
     pub no_contact: Vec<(usize, usize)>,
+    /// Forces on bodies.
+    pub forces: ForceModel,
+    /// Joints; the body behind the last one is the world.
+    pub joints: Vec<JointModel>,
+    /// What limits and drives joints.
+    pub drives: Vec<DriveModel>,
+    /// Fixed bodies that follow a path.
+    pub motions: Vec<Motion>,
+    /// Velocity of each body's surface against it [m/s], body axes; bodies beyond the end have none.
+    pub surface_velocities: Vec<DVec3>,
 }

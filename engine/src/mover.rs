@@ -1,4 +1,4 @@
-//! What the contact solve reads and writes: bodies as they move while impulses are still being found.
+//! What the solvers read and write: bodies as they move while impulses are still being found.
 
 use glam::{DMat3, DVec3};
 
@@ -14,11 +14,57 @@ pub(crate) enum Part {
     All,
 }
 
+/// Linear and angular velocity of a body, or a change of them, or their rates.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Twist {
+    /// Of the centre of mass [m/s].
+    pub velocity: DVec3,
+    /// World axes [rad/s].
+    pub angular_velocity: DVec3,
+}
+
+impl Twist {
+    /// v + omega x r
+    #[must_use]
+    pub fn at(&self, r: DVec3) -> DVec3 {
+        self.velocity + self.angular_velocity.cross(r)
+    }
+
+    /// self += other * factor
+    pub fn add_scaled(&mut self, other: &Twist, factor: f64) {
+        self.velocity += other.velocity * factor;
+        self.angular_velocity += other.angular_velocity * factor;
+    }
+}
+
+/// Something that moves with a twist.
+pub(crate) trait Moving {
+    fn twist(&self) -> &Twist;
+    fn twist_mut(&mut self) -> &mut Twist;
+}
+
+impl Moving for Twist {
+    fn twist(&self) -> &Twist {
+        self
+    }
+    fn twist_mut(&mut self) -> &mut Twist {
+        self
+    }
+}
+
+impl Moving for Mover {
+    fn twist(&self) -> &Twist {
+        &self.twist
+    }
+    fn twist_mut(&mut self) -> &mut Twist {
+        &mut self.twist
+    }
+}
+
 /// What the sweeps read and write of a body, close together in memory.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mover {
-    pub(crate) velocity: DVec3,
-    pub(crate) angular_velocity: DVec3,
+    pub(crate) twist: Twist,
     pub(crate) inverse_mass: f64,
     pub(crate) inverse_inertia: DMat3,
 }
@@ -27,27 +73,30 @@ impl Mover {
     /// As the body moves now.
     pub(crate) fn of(body: &Body) -> Self {
         Self {
-            velocity: body.state.velocity,
-            angular_velocity: body.angular_velocity,
+            twist: body.twist(),
             inverse_mass: body.mass.inverse_mass,
             inverse_inertia: body.inverse_inertia,
         }
     }
 
-    /// Impulse `p` at the arm `r`.
-    pub(crate) fn push(&mut self, p: DVec3, r: DVec3) {
-        self.velocity += p * self.inverse_mass;
-        self.angular_velocity += self.inverse_inertia * r.cross(p);
+    /// What an impulse `p` at the arm `r` does to the twist.
+    pub(crate) fn response(&self, p: DVec3, r: DVec3) -> Twist {
+        Twist {
+            velocity: p * self.inverse_mass,
+            angular_velocity: self.inverse_inertia * r.cross(p),
+        }
     }
 
-    /// v + omega x r
-    pub(crate) fn velocity_at(&self, r: DVec3) -> DVec3 {
-        self.velocity + self.angular_velocity.cross(r)
+    /// Impulse `p` at the arm `r`.
+    pub(crate) fn push(&mut self, p: DVec3, r: DVec3) {
+        let change = self.response(p, r);
+        self.twist.velocity += change.velocity;
+        self.twist.angular_velocity += change.angular_velocity;
     }
 }
 
 /// Relative velocity of a contact along normal and tangents [m/s].
-pub(crate) fn velocity_of(movers: &[Mover], c: &Contact) -> DVec3 {
-    let (a, b) = (&movers[c.bodies.0], &movers[c.bodies.1]);
-    c.to_local(a.velocity_at(c.arms.0) - b.velocity_at(c.arms.1))
+pub(crate) fn velocity_of(movers: &[impl Moving], c: &Contact) -> DVec3 {
+    let (a, b) = (movers[c.bodies.0].twist(), movers[c.bodies.1].twist());
+    c.to_local(a.at(c.arms.0) - b.at(c.arms.1))
 }

@@ -1,4 +1,4 @@
-//! Contacts solved together: sweeps over the contacts, and conjugate gradients over those that carry.
+//! Contacts and joints solved together: sweeps over the contacts, and linear solves over those that carry.
 //!
 //! Unknown are the impulses p = (p_n, p_1, p_2) of every contact, with u = (u_n, u_1, u_2) its relative velocity after
 //! all impulses. Asked is, for every contact at once,
@@ -11,17 +11,22 @@
 //! A sweep solves one contact after the other exactly, with the others held (projected Gauss-Seidel). Sweeps find out
 //! quickly which contacts carry, which stick and which slide, but pass loads on slowly: for a light body under a heavy
 //! one the error falls by 1 / (1 + m/M) a sweep. So after a few sweeps the contacts that carry are solved together as
-//! a linear system by conjugate gradients, with open contacts open and sliding friction as it stands; sweeps then
+//! a linear system (see `subspace.rs`), with open contacts open and sliding friction as it stands; sweeps then
 //! check and mend the guess (subspace minimisation: Silcowitz, Niebe & Erleben 2010, "Projected Gauss-Seidel subspace
 //! minimization method for interactive rigid body dynamics", GRAPP).
+//!
+//! Joints are not swept: after every sweep they are solved exactly for what the contacts did (`articulation`), and the
+//! linear solves see bodies with their joints.
 
 use glam::DVec3;
 
+use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::contact::{Contact, Friction};
-use crate::islands::Islands;
+use crate::islands::{Island, Islands};
+use crate::joint::Row;
 use crate::math::length;
-use crate::mover::{velocity_of, Mover, Part};
+use crate::mover::{Mover, Part, Twist};
 use crate::subspace::Subspace;
 
 /// Sweeps between two linear solves.
@@ -77,42 +82,101 @@ pub struct Solver {
     best: Vec<DVec3>,
     subspace: Subspace,
     islands: Islands,
-    island: Vec<usize>,
+    island: Island,
     residuals: Vec<f64>,
 }
 
+/// What one island is solved with.
+pub(crate) struct System<'a> {
+    pub(crate) contacts: &'a mut [Contact],
+    pub(crate) articulation: &'a mut Articulation,
+    pub(crate) island: &'a Island,
+    pub(crate) movers: &'a mut [Mover],
+}
+
 impl Solver {
-    /// Solve the contacts named by `which`, from the impulses that stand in them. The result stays in
-    /// `contact.impulse`; bodies are not touched.
+    /// Begin from the bodies as they move now.
+    pub fn load(&mut self, bodies: &[Body]) {
+        self.movers.clear();
+        self.movers.extend(bodies.iter().map(Mover::of));
+    }
+
+    /// Begin from the bodies as they will move after the time `h` at these accelerations.
+    pub fn load_after(&mut self, bodies: &[Body], accelerations: &[Twist], h: f64) {
+        self.load(bodies);
+        for (mover, a) in self.movers.iter_mut().zip(accelerations) {
+            mover.twist.add_scaled(a, h);
+        }
+    }
+
+    /// Solve the contacts named by `which`, from the impulses that stand in them, and all joints, as they were aimed.
+    /// The results stay in `contact.impulse` and in the articulation; bodies are not touched, `velocity` tells how
+    /// they would move.
     pub fn solve(
         &mut self,
-        bodies: &[Body],
         contacts: &mut [Contact],
         which: &[usize],
+        articulation: &mut Articulation,
         limits: Limits,
     ) -> Report {
-        self.load(bodies, contacts, which);
+        for &k in which {
+            push(&mut self.movers, &contacts[k], contacts[k].impulse);
+        }
         self.residuals.clear();
-        self.residuals.resize(bodies.len(), 0.0);
+        self.residuals.resize(self.movers.len(), 0.0);
         let mut report = Report::default();
-        let (mut islands, mut island) = (
-            std::mem::take(&mut self.islands),
-            std::mem::take(&mut self.island),
-        );
-        islands.divide(bodies, contacts, which);
+        let mut island = std::mem::take(&mut self.island);
+        self.islands
+            .divide(&self.movers, contacts, which, articulation);
         let mut start = 0;
-        while let Some(next) = islands.take(start, &mut island) {
+        while let Some(next) = self.islands.take(start, &mut island) {
             start = next;
-            let one = self.solve_island(contacts, &island, limits);
+            let one = self.solve_island(contacts, articulation, &island, limits);
             report.residual = report.residual.max(one.residual);
             report.iterations = report.iterations.max(one.iterations);
-            for &k in &island {
+            for &k in &island.contacts {
                 self.residuals[contacts[k].bodies.0] = one.residual;
                 self.residuals[contacts[k].bodies.1] = one.residual;
             }
         }
-        (self.islands, self.island) = (islands, island);
+        self.island = island;
         report
+    }
+
+    fn solve_island(
+        &mut self,
+        contacts: &mut [Contact],
+        articulation: &mut Articulation,
+        island: &Island,
+        limits: Limits,
+    ) -> Report {
+        let mut movers = std::mem::take(&mut self.movers);
+        let mut system = System {
+            contacts,
+            articulation,
+            island,
+            movers: &mut movers,
+        };
+        system.hold_joints();
+        let report = if island.contacts.is_empty() {
+            Report::default()
+        } else {
+            self.release(&mut system, limits)
+        };
+        self.movers = movers;
+        report
+    }
+
+    /// Relative velocity of a contact after the solve, along normal and tangents [m/s].
+    #[must_use]
+    pub fn velocity(&self, c: &Contact) -> DVec3 {
+        c.velocity_among(&self.movers)
+    }
+
+    /// dC/dt of a row after the solve.
+    #[must_use]
+    pub fn rate(&self, row: &Row) -> f64 {
+        crate::articulation::rate(row, &self.movers)
     }
 
     /// Residual of the last solve around each body [m/s].
@@ -125,17 +189,12 @@ impl Solver {
     /// still too narrow would leave the contacts of a body straining against each other. Static contacts that gave way
     /// slide from there on, and others may give way then; a third of the sweeps is kept for that. It ends, because a
     /// contact changes only from static to kinetic. What slips only because the sweeps have not arrived is not let go.
-    fn solve_island(
-        &mut self,
-        contacts: &mut [Contact],
-        which: &[usize],
-        limits: Limits,
-    ) -> Report {
-        let mut report = self.iterate(contacts, which, Part::Normals, limits.share(3));
-        report = report.then(self.iterate(contacts, which, Part::All, limits.share(3)));
+    fn release(&mut self, system: &mut System, limits: Limits) -> Report {
+        let mut report = self.iterate(system, Part::Normals, limits.share(3));
+        report = report.then(self.iterate(system, Part::All, limits.share(3)));
         while report.iterations < limits.iterations {
             let noticeable = 10.0 * report.residual.max(limits.tolerance);
-            let released = self.release_slipping(contacts, which, noticeable);
+            let released = system.release_slipping(noticeable);
             if !released && report.residual < limits.tolerance {
                 break;
             }
@@ -143,32 +202,15 @@ impl Solver {
                 iterations: limits.iterations - report.iterations,
                 ..limits
             };
-            report = report.then(self.iterate(contacts, which, Part::All, left));
+            report = report.then(self.iterate(system, Part::All, left));
         }
         report
-    }
-
-    fn load(&mut self, bodies: &[Body], contacts: &[Contact], which: &[usize]) {
-        self.movers.clear();
-        self.movers.extend(bodies.iter().map(Mover::of));
-        for &k in which {
-            let contact = &contacts[k];
-            if contact.impulse != DVec3::ZERO {
-                self.push(contact, contact.impulse);
-            }
-        }
     }
 
     /// Sweeps and linear solves in turn, until a sweep changes nothing any more. Ends with a sweep, so that every
     /// impulse lies in its cone. A linear solve may guess wrongly which contacts carry, and the next sweeps then have
     /// more to mend than before: the next guess waits longer, and where the sweeps run out the best impulses are taken.
-    fn iterate(
-        &mut self,
-        contacts: &mut [Contact],
-        which: &[usize],
-        part: Part,
-        limits: Limits,
-    ) -> Report {
+    fn iterate(&mut self, system: &mut System, part: Part, limits: Limits) -> Report {
         let mut iterations = 0;
         let mut best = f64::INFINITY;
         let mut patience = SWEEPS;
@@ -176,7 +218,7 @@ impl Solver {
         loop {
             let mut residual = f64::INFINITY;
             for _ in 0..patience {
-                residual = self.sweep(contacts, which, part, iterations % 2 == 1);
+                residual = system.sweep(part, iterations % 2 == 1);
                 iterations += 1;
                 if residual < limits.tolerance || iterations >= limits.iterations {
                     break;
@@ -194,117 +236,96 @@ impl Solver {
             if residual < best {
                 best = residual;
                 self.best.clear();
-                self.best.extend(which.iter().map(|&k| contacts[k].impulse));
+                self.best.extend(system.impulses());
             }
             if iterations >= limits.iterations {
-                self.return_to_best(contacts, which);
+                system.set_impulses(&self.best);
                 return Report {
                     residual: best,
                     iterations,
                 };
             }
-            passes -= self.leap(contacts, which, part, passes, limits.tolerance / residual);
+            passes -= self.leap(system, part, passes, limits.tolerance / residual);
         }
     }
 
-    fn return_to_best(&mut self, contacts: &mut [Contact], which: &[usize]) {
-        for (slot, &k) in which.iter().enumerate() {
-            let change = self.best[slot] - contacts[k].impulse;
-            contacts[k].impulse = self.best[slot];
-            self.push(&contacts[k], change);
+    /// Solve the contacts that carry as a linear system, and bring the result back into the cones. Returns the number
+    /// of passes over the contacts that it took, at most `budget`.
+    fn leap(&mut self, system: &mut System, part: Part, budget: usize, reduction: f64) -> usize {
+        let reduction = (0.1 * reduction).max(LEAP);
+        let passes = self.subspace.solve(system, part, (budget, reduction));
+        for (slot, &k) in system.island.contacts.iter().enumerate() {
+            let old = system.contacts[k].impulse;
+            let new = match part {
+                Part::Normals => {
+                    (old + self.subspace.step(slot)).max(DVec3::new(0.0, f64::MIN, f64::MIN))
+                }
+                Part::All => system.contacts[k].in_cone(old + self.subspace.step(slot)),
+            };
+            system.contacts[k].impulse = new;
+            push(system.movers, &system.contacts[k], new - old);
         }
+        system.hold_joints();
+        passes
+    }
+}
+
+impl System<'_> {
+    /// Joints take up what contacts did to them, exactly.
+    fn hold_joints(&mut self) {
+        for &assembly in &self.island.assemblies {
+            self.articulation.solve(assembly, self.movers);
+        }
+    }
+
+    fn impulses(&self) -> impl Iterator<Item = DVec3> + '_ {
+        self.island
+            .contacts
+            .iter()
+            .map(|&k| self.contacts[k].impulse)
+    }
+
+    fn set_impulses(&mut self, impulses: &[DVec3]) {
+        for (&k, &new) in self.island.contacts.iter().zip(impulses) {
+            let change = new - self.contacts[k].impulse;
+            self.contacts[k].impulse = new;
+            push(self.movers, &self.contacts[k], change);
+        }
+        self.hold_joints();
     }
 
     /// One sweep; returns the greatest change of a relative velocity [m/s]. Every other sweep goes backwards: what a
     /// stack passes on reaches both its ends.
-    fn sweep(
-        &mut self,
-        contacts: &mut [Contact],
-        which: &[usize],
-        part: Part,
-        backwards: bool,
-    ) -> f64 {
+    fn sweep(&mut self, part: Part, backwards: bool) -> f64 {
         let mut worst = 0.0_f64;
+        let which = &self.island.contacts;
         for step in 0..which.len() {
             let slot = if backwards {
                 which.len() - 1 - step
             } else {
                 step
             };
-            let contact = &mut contacts[which[slot]];
+            let contact = &mut self.contacts[which[slot]];
             let old = contact.impulse;
-            self.solve_contact(contact, part);
+            solve_contact(self.movers, contact, part);
             let change = (contact.impulse - old) * contact.stiffness();
             worst = worst.max(change.abs().max_element());
         }
+        self.hold_joints();
         worst
     }
 
-    /// Solve the contacts that carry as a linear system, and bring the result back into the cones. Returns the number
-    /// of passes over the contacts that it took, at most `budget`.
-    fn leap(
-        &mut self,
-        contacts: &mut [Contact],
-        which: &[usize],
-        part: Part,
-        budget: usize,
-        reduction: f64,
-    ) -> usize {
-        let reduction = (0.1 * reduction).max(LEAP);
-        let passes = self
-            .subspace
-            .solve(contacts, which, part, &self.movers, (budget, reduction));
-        for (slot, &k) in which.iter().enumerate() {
-            let old = contacts[k].impulse;
-            let new = match part {
-                Part::Normals => {
-                    (old + self.subspace.step(slot)).max(DVec3::new(0.0, f64::MIN, f64::MIN))
-                }
-                Part::All => contacts[k].in_cone(old + self.subspace.step(slot)),
-            };
-            contacts[k].impulse = new;
-            self.push(&contacts[k], new - old);
-        }
-        passes
-    }
-
-    /// The exact answer of one contact, the others held.
-    fn solve_contact(&mut self, c: &mut Contact, part: Part) {
-        let u = velocity_of(&self.movers, c);
-        let old = c.impulse;
-        let normal = (old.x - (u.x - c.target) / c.k_normal).max(0.0);
-        let change = normal - old.x;
-        // Velocity of the tangents with the new normal impulse and without friction.
-        let b1 = u.y + c.k_coupling.0 * change - c.k_tangent.0 * old.y;
-        let b2 = u.z + c.k_coupling.1 * change - c.k_tangent.1 * old.z;
-        let (p1, p2) = match part {
-            Part::Normals => (old.y, old.z),
-            Part::All => friction_in_disc((b1, b2), c.k_tangent, c.friction_coefficient() * normal),
-        };
-        c.impulse = DVec3::new(normal, p1, p2);
-        let difference = c.impulse - old;
-        if difference != DVec3::ZERO {
-            self.push(c, difference);
-        }
-    }
-
-    fn push(&mut self, c: &Contact, impulse: DVec3) {
-        let p = c.to_world(impulse);
-        self.movers[c.bodies.0].push(p, c.arms.0);
-        self.movers[c.bodies.1].push(-p, c.arms.1);
-    }
-
     /// Static contacts on the rim of their disc that slip nevertheless become kinetic.
-    fn release_slipping(&self, contacts: &mut [Contact], which: &[usize], noticeable: f64) -> bool {
+    fn release_slipping(&mut self, noticeable: f64) -> bool {
         let mut any = false;
-        for &k in which {
-            let c = &mut contacts[k];
+        for &k in &self.island.contacts {
+            let c = &mut self.contacts[k];
             let full = c.coefficients.static_friction * c.impulse.x;
             let held = length(c.impulse.y, c.impulse.z) < full * (1.0 - 1e-9);
             if c.friction == Friction::Kinetic || held || c.impulse.x == 0.0 {
                 continue;
             }
-            let u = velocity_of(&self.movers, c);
+            let u = c.velocity_among(self.movers);
             if length(u.y, u.z) > noticeable {
                 c.friction = Friction::Kinetic;
                 any = true;
@@ -312,6 +333,32 @@ impl Solver {
         }
         any
     }
+}
+
+/// The exact answer of one contact, the others held.
+fn solve_contact(movers: &mut [Mover], c: &mut Contact, part: Part) {
+    let u = c.velocity_among(movers);
+    let old = c.impulse;
+    let normal = (old.x - (u.x - c.target) / c.k_normal).max(0.0);
+    let change = normal - old.x;
+    // Velocity of the tangents with the new normal impulse and without friction.
+    let b1 = u.y + c.k_coupling.0 * change - c.k_tangent.0 * old.y;
+    let b2 = u.z + c.k_coupling.1 * change - c.k_tangent.1 * old.z;
+    let (p1, p2) = match part {
+        Part::Normals => (old.y, old.z),
+        Part::All => friction_in_disc((b1, b2), c.k_tangent, c.friction_coefficient() * normal),
+    };
+    c.impulse = DVec3::new(normal, p1, p2);
+    push(movers, c, c.impulse - old);
+}
+
+fn push(movers: &mut [Mover], c: &Contact, impulse: DVec3) {
+    if impulse == DVec3::ZERO {
+        return;
+    }
+    let p = c.to_world(impulse);
+    movers[c.bodies.0].push(p, c.arms.0);
+    movers[c.bodies.1].push(-p, c.arms.1);
 }
 
 /// The tangential impulse that stops the slip, or the one on the rim of the disc that opposes the slip that is left.

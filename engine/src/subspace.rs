@@ -12,7 +12,8 @@ use glam::DVec3;
 
 use crate::contact::Contact;
 use crate::math::length;
-use crate::mover::{velocity_of, Mover, Part};
+use crate::mover::{velocity_of, Part, Twist};
+use crate::solver::System;
 
 /// eps. What a leap leaves of an error in a motion whose eigenvalue of diag(A)^-1 A is e: eps / (eps + e). The
 /// softest motions of real scenes (many bodies high, 1000 : 1 in mass) have e about 1e-4. Tried from 1e-8 to 1e-5: with
@@ -20,13 +21,6 @@ use crate::mover::{velocity_of, Mover, Part};
 const DAMPING: f64 = 1e-5;
 /// Krylov vectors kept at most.
 const VECTORS: usize = 40;
-
-/// Linear and angular velocity that a set of impulses gives a body.
-#[derive(Clone, Copy, Debug, Default)]
-struct Response {
-    velocity: DVec3,
-    angular_velocity: DVec3,
-}
 
 /// What a contact may change.
 #[derive(Clone, Copy, Debug)]
@@ -83,7 +77,7 @@ pub(crate) struct Subspace {
     rotations: Vec<(f64, f64)>,
     /// Right-hand side in the Krylov basis; its last entry is the residual that is left.
     rhs: Vec<f64>,
-    responses: Vec<Response>,
+    responses: Vec<Twist>,
 }
 
 impl Subspace {
@@ -96,33 +90,25 @@ impl Subspace {
     /// Krylov vectors run out. Returns the passes made.
     pub(crate) fn solve(
         &mut self,
-        contacts: &[Contact],
-        which: &[usize],
+        system: &mut System,
         part: Part,
-        movers: &[Mover],
         (budget, reduction): (usize, f64),
     ) -> usize {
-        let start = self.begin(contacts, which, part, movers);
+        let start = self.begin(system, part);
         let mut used = 0;
         while start > 0.0 && used < VECTORS.min(budget) {
-            self.extend_basis(contacts, which, movers, used);
+            self.extend_basis(system, used);
             used += 1;
             if self.rhs[used].abs() <= reduction * start {
                 break;
             }
         }
-        self.combine(which.len(), used);
+        self.combine(system.island.contacts.len(), used);
         used
     }
 
     /// The first Krylov vector, r / |r| with r = target - u scaled. Returns |r|.
-    fn begin(
-        &mut self,
-        contacts: &[Contact],
-        which: &[usize],
-        part: Part,
-        movers: &[Mover],
-    ) -> f64 {
+    fn begin(&mut self, system: &System, part: Part) -> f64 {
         self.freedom.clear();
         self.columns.clear();
         self.rotations.clear();
@@ -130,12 +116,11 @@ impl Subspace {
         self.basis.resize(VECTORS + 1, Vec::new());
         let first = &mut self.basis[0];
         first.clear();
-        for &k in which {
-            let c = &contacts[k];
+        for &k in &system.island.contacts {
+            let c = &system.contacts[k];
             let freedom = Freedom::of(c, part);
-            first.push(
-                (DVec3::X * c.target - velocity_of(movers, c)) * freedom.asked * freedom.scale,
-            );
+            let missing = DVec3::X * c.target - c.velocity_among(system.movers);
+            first.push(missing * freedom.asked * freedom.scale);
             self.freedom.push(freedom);
         }
         let norm = dot(first, first).sqrt();
@@ -147,15 +132,9 @@ impl Subspace {
     }
 
     /// One Arnoldi step (modified Gram-Schmidt), and the Givens rotation that keeps the Hessenberg matrix triangular.
-    fn extend_basis(
-        &mut self,
-        contacts: &[Contact],
-        which: &[usize],
-        movers: &[Mover],
-        last: usize,
-    ) {
+    fn extend_basis(&mut self, system: &mut System, last: usize) {
         let mut next = std::mem::take(&mut self.basis[last + 1]);
-        self.multiply(contacts, which, movers, last, &mut next);
+        self.multiply(system, last, &mut next);
         let mut column = Vec::with_capacity(last + 2);
         for vector in &self.basis[..=last] {
             let h = dot(vector, &next);
@@ -215,38 +194,42 @@ impl Subspace {
     }
 
     /// out = (A W + eps diag(A)) basis[from], scaled.
-    fn multiply(
-        &mut self,
-        contacts: &[Contact],
-        which: &[usize],
-        movers: &[Mover],
-        from: usize,
-        out: &mut Vec<DVec3>,
-    ) {
-        self.responses.resize(movers.len(), Response::default());
-        for &k in which {
-            self.responses[contacts[k].bodies.0] = Response::default();
-            self.responses[contacts[k].bodies.1] = Response::default();
+    fn multiply(&mut self, system: &mut System, from: usize, out: &mut Vec<DVec3>) {
+        self.push_bodies(system, from);
+        for &assembly in &system.island.assemblies {
+            system.articulation.respond(assembly, &mut self.responses);
         }
-        for ((&k, freedom), &unknown) in which.iter().zip(&self.freedom).zip(&self.basis[from]) {
+        out.clear();
+        let unknowns = self.freedom.iter().zip(&self.basis[from]);
+        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(unknowns) {
+            let change = velocity_of(&self.responses, &system.contacts[k]);
+            out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
+        }
+    }
+
+    /// What the impulses that a vector stands for do to the bodies of the island.
+    fn push_bodies(&mut self, system: &System, from: usize) {
+        let (contacts, movers) = (&system.contacts, &system.movers);
+        self.responses.resize(movers.len(), Twist::default());
+        for &k in &system.island.contacts {
+            self.responses[contacts[k].bodies.0] = Twist::default();
+            self.responses[contacts[k].bodies.1] = Twist::default();
+        }
+        for &assembly in &system.island.assemblies {
+            for &body in system.articulation.bodies(assembly) {
+                self.responses[body] = Twist::default();
+            }
+        }
+        let unknowns = self.freedom.iter().zip(&self.basis[from]);
+        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(unknowns) {
             if unknown == DVec3::ZERO {
                 continue;
             }
             let c = &contacts[k];
             let p = c.to_world(freedom.impulse(unknown));
             for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
-                let (mover, response) = (&movers[body], &mut self.responses[body]);
-                response.velocity += impulse * mover.inverse_mass;
-                response.angular_velocity += mover.inverse_inertia * arm.cross(impulse);
+                self.responses[body].add_scaled(&movers[body].response(impulse, arm), 1.0);
             }
-        }
-        out.clear();
-        for ((&k, freedom), &unknown) in which.iter().zip(&self.freedom).zip(&self.basis[from]) {
-            let c = &contacts[k];
-            let (a, b) = (&self.responses[c.bodies.0], &self.responses[c.bodies.1]);
-            let at = |r: &Response, arm: DVec3| r.velocity + r.angular_velocity.cross(arm);
-            let change = c.to_local(at(a, c.arms.0) - at(b, c.arms.1));
-            out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
         }
     }
 }

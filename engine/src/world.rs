@@ -6,15 +6,21 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::approach::{near_margin, Approach, StepStart};
-use crate::body::{Body, State};
+use crate::articulation::{Articulation, Hold};
+use crate::body::{Body, MassProperties, State};
 use crate::broadphase::Broadphase;
 use crate::collide::{Detector, Job, Oracle};
-use crate::contact::{relative_velocity, Contact, Memory};
-use crate::impact::{gap_change, Event, Impacts, Rules};
-use crate::integrator::{drift, kick};
+use crate::contact::{Contact, Memory};
+use crate::force::{Forces, Potential, Powers};
+use crate::impact::{gap_change, Event, Impacts, Rules, Scene};
+use crate::integrator::Dynamics;
+use crate::joint::{Cause, JointState, Joints, Row};
 use crate::ledger::{Energies, Ledger};
+use crate::loads::{work_of_fixed, Loads};
 use crate::math::length;
 use crate::model::{Geom, Model, PairTable, Settings, Stabilization};
+use crate::mover::Twist;
+use crate::paths::Paths;
 use crate::position::{Correction, SLOP};
 use crate::shape::Aabb;
 use crate::solver::{Limits, Report, Solver};
@@ -45,8 +51,13 @@ pub struct World {
     settings: Settings,
     geoms: Vec<Geom>,
     pairs: PairTable,
+    /// Those of the scene, and the world itself as the last.
     bodies: Vec<Body>,
-    accelerations: Vec<DVec3>,
+    forces: Forces,
+    joints: Joints,
+    articulation: Articulation,
+    paths: Paths,
+    loads: Loads,
     contacts: Vec<Contact>,
     memory: Memory,
     broadphase: Broadphase,
@@ -59,6 +70,7 @@ pub struct World {
     report: Report,
     step: u64,
     resting_steps: u64,
+    fallbacks: u64,
     boxes: Vec<Aabb>,
     candidates: Vec<(u32, u32)>,
     jobs: Vec<Job>,
@@ -67,6 +79,10 @@ pub struct World {
     every: Vec<usize>,
     match_radius: Vec<f64>,
     noise: Vec<f64>,
+    /// Of the joints' rows as the integrator left them.
+    values: Vec<f64>,
+    /// Part of the step that is already made [s].
+    passed: f64,
 }
 
 /// What a checkpoint holds: all that the next step depends on.
@@ -74,44 +90,42 @@ pub struct World {
 struct Snapshot {
     step: u64,
     resting_steps: u64,
+    fallbacks: u64,
     states: Vec<State>,
     memory: Memory,
     noise: Vec<f64>,
     ledger: Ledger,
     events: Vec<Event>,
+    joints: JointState,
+    holds: Vec<Hold>,
+    turns: Vec<f64>,
 }
 
 impl World {
     /// Build the world at its start.
     #[must_use]
     pub fn new(model: Model) -> Self {
-        let mut bodies: Vec<Body> = model
-            .bodies
-            .into_iter()
-            .map(|(mass, state, omega)| {
-                let mut body = Body::new(mass, state);
-                body.set_angular_velocity(omega);
-                body
-            })
-            .collect();
-        for geom in &model.geoms {
-            let reach = geom.position.length() + geom.shape.bounding_radius();
-            let body = &mut bodies[geom.body];
-            body.reach = body.reach.max(reach);
-        }
+        let bodies = place_bodies(&model);
+        let forces = Forces::new(model.forces, &bodies);
+        let joints = Joints::new(model.joints, model.drives, &bodies);
+        let timestep = model.settings.timestep;
         let mut world = Self {
             broadphase: Broadphase::new(&model.geoms, &model.no_contact),
-            accelerations: vec![DVec3::ZERO; bodies.len()],
             noise: vec![0.0; bodies.len()],
             match_radius: model
                 .geoms
                 .iter()
                 .map(|g| 0.2 * g.shape.bounding_radius())
                 .collect(),
+            articulation: Articulation::new(&joints, &bodies, timestep),
+            paths: Paths::new(model.motions, &bodies),
+            loads: Loads::new(bodies.len()),
             settings: model.settings,
             geoms: model.geoms,
             pairs: model.pairs,
             bodies,
+            forces,
+            joints,
             contacts: Vec::new(),
             memory: Memory::default(),
             detector: Detector::default(),
@@ -123,13 +137,17 @@ impl World {
             report: Report::default(),
             step: 0,
             resting_steps: 0,
+            fallbacks: 0,
             boxes: Vec::new(),
             candidates: Vec::new(),
             jobs: Vec::new(),
             starts: Vec::new(),
             gaps: Vec::new(),
             every: Vec::new(),
+            values: Vec::new(),
+            passed: 0.0,
         };
+        world.paths.arrive(&mut world.bodies, 0.0);
         world.ledger.initial = world.energies().total();
         world
     }
@@ -139,46 +157,43 @@ impl World {
     /// # Errors
     /// [`Failure`]; the state is then that of the failed step.
     pub fn step(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
-        self.evaluate_forces();
-        self.collide(oracle)?;
-        self.resolve_impacts();
-        self.apply_forces();
-        self.solve_contacts();
-        self.move_bodies();
-        self.correct_positions();
+        self.advance(self.settings.timestep, oracle)?;
         self.step += 1;
+        self.observe();
         self.watch()
     }
 
-    /// Accelerations of free bodies.
-    fn evaluate_forces(&mut self) {
-        for (a, body) in self.accelerations.iter_mut().zip(&self.bodies) {
-            *a = if body.is_fixed() {
-                DVec3::ZERO
-            } else {
-                self.settings.gravity
-            };
-        }
+    /// Move on by `h`.
+    fn advance(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        let time = self.time();
+        self.paths.depart(&mut self.bodies, time, h);
+        self.evaluate_forces(h);
+        self.collide(h, oracle)?;
+        self.resolve_impacts(h);
+        self.solve_contacts(h);
+        self.move_bodies(h);
+        self.correct_positions();
+        Ok(())
+    }
+
+    /// Accelerations of bodies, as their joints allow them, and what drives and limits of joints ask for.
+    fn evaluate_forces(&mut self, h: f64) {
+        let time = self.time();
+        let system = (&self.forces, &self.joints, &mut self.articulation);
+        self.loads.evaluate(&self.bodies, system, time, h);
     }
 
     /// Contacts of this step: points that are nearly touching, and points that will touch before the step ends, at
     /// the instant of touching.
-    fn collide(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
-        let dt = self.settings.timestep;
-        let travel = |b: &Body, a: DVec3| {
-            if b.is_fixed() {
-                return 0.0;
-            }
-            dt * (b.state.velocity.length()
-                + a.length() * dt
-                + b.angular_velocity.length() * b.reach)
+    fn collide(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        let travel = |(b, a): (&Body, &Twist)| {
+            let spin = b.angular_velocity.length() + a.angular_velocity.length() * h;
+            // A half-space reaches infinitely far, but most stand still.
+            let swept = if spin > 0.0 { spin * b.reach } else { 0.0 };
+            h * (b.state.velocity.length() + a.velocity.length() * h + swept)
         };
-        let travels: Vec<f64> = self
-            .bodies
-            .iter()
-            .zip(&self.accelerations)
-            .map(|(b, &a)| travel(b, a))
-            .collect();
+        let bodies = self.bodies.iter();
+        let travels: Vec<f64> = bodies.zip(&self.loads.accelerations).map(travel).collect();
         self.find_candidates(&travels);
         self.jobs.clear();
         for &(i, j) in &self.candidates {
@@ -191,9 +206,9 @@ impl World {
             geoms: &self.geoms,
             pairs: &self.pairs,
             bodies: &self.bodies,
-            accelerations: &self.accelerations,
+            accelerations: &self.loads.accelerations,
             noise: &self.noise,
-            rules: self.rules(),
+            rules: self.rules(h),
         };
         self.detector
             .run(&self.geoms, &self.jobs, self.settings.fcl_only, oracle)
@@ -239,76 +254,63 @@ impl World {
         }
     }
 
-    fn rules(&self) -> Rules {
+    fn rules(&self, h: f64) -> Rules {
         Rules {
-            timestep: self.settings.timestep,
+            timestep: h,
             time: self.time(),
             bounce_speed: self.settings.bounce_speed,
             tolerance: self.settings.tolerance,
             slip_speed: self.settings.slip_speed,
             iterations: self.settings.iterations,
+            lead: self.settings.integrator.lead(),
         }
     }
 
-    fn resolve_impacts(&mut self) {
-        let rules = self.rules();
-        self.impacts.resolve(
-            &mut self.bodies,
-            &self.accelerations,
-            &mut self.contacts,
-            &rules,
-        );
-        self.ledger.book(self.impacts.work.0, self.impacts.work.1);
-    }
-
-    /// v += a dt, after noting how the contacts move before that.
-    fn apply_forces(&mut self) {
-        self.starts.clear();
-        for c in &mut self.contacts {
-            let u = c.velocity(&self.bodies);
-            c.choose_friction(u, self.settings.slip_speed);
-            self.starts.push(u);
-        }
-        for (body, &a) in self.bodies.iter_mut().zip(&self.accelerations) {
-            kick(body, a, self.settings.timestep);
+    fn resolve_impacts(&mut self, h: f64) {
+        let rules = self.rules(h);
+        let mut scene = Scene {
+            bodies: &mut self.bodies,
+            accelerations: &self.loads.accelerations,
+            contacts: &mut self.contacts,
+            articulation: &mut self.articulation,
+        };
+        self.impacts.resolve(&mut scene, &rules);
+        if self.impacts.any {
+            self.ledger.book(self.impacts.work.0, self.impacts.work.1);
+            self.evaluate_forces(h);
         }
     }
 
-    /// Impulses that keep bodies apart and rub them, all contacts together.
-    fn solve_contacts(&mut self) {
-        let dt = self.settings.timestep;
-        let baumgarte = self.settings.stabilization == Stabilization::Baumgarte;
-        let beta = if baumgarte {
-            self.settings.baumgarte
+    /// Impulses that keep bodies apart, rub them and drive their joints, all together, from where the bodies would be
+    /// without them. They act on the motion as constant forces.
+    fn solve_contacts(&mut self, h: f64) {
+        self.aim_contacts(h);
+        let pull = if self.settings.stabilization == Stabilization::Baumgarte {
+            self.settings.baumgarte / h
         } else {
             0.0
         };
-        self.gaps.clear();
-        for c in &mut self.contacts {
-            let gap = c.gap + gap_change(&self.impacts.kinks, c);
-            c.target = if gap > 0.0 {
-                if gap > SLOP {
-                    -gap / dt
-                } else {
-                    0.0
-                }
+        let hold = |row: &Row| {
+            if pull > 0.0 {
+                -pull * row.value
             } else {
-                -beta * gap / dt
-            };
-            c.impulse = DVec3::ZERO;
-            self.gaps.push(gap);
-        }
-        self.memory
-            .recall(&mut self.contacts, &self.bodies, &self.match_radius);
+                -h * row.bias
+            }
+        };
+        self.articulation.aim_step(hold, h);
         self.every.clear();
         self.every.extend(0..self.contacts.len());
         let limits = Limits {
             iterations: self.settings.iterations,
             tolerance: self.settings.tolerance,
         };
-        self.report = self
-            .solver
-            .solve(&self.bodies, &mut self.contacts, &self.every, limits);
+        self.solver.load_after(&self.bodies, &self.loads.free, h);
+        self.report = self.solver.solve(
+            &mut self.contacts,
+            &self.every,
+            &mut self.articulation,
+            limits,
+        );
         let tolerance = self.settings.tolerance;
         for (noise, &residual) in self.noise.iter_mut().zip(self.solver.residuals()) {
             *noise = if residual < tolerance {
@@ -317,24 +319,50 @@ impl World {
                 NOISE * residual
             };
         }
-        for c in &self.contacts {
-            c.apply(&mut self.bodies, c.impulse);
-        }
+        self.articulation.keep_holds();
+        self.loads.hold(&self.contacts, &self.articulation, h);
         self.memory.store(&self.contacts, &self.bodies);
-        self.note_contacts();
+        self.note_contacts(h);
+        self.note_drives(h);
+    }
+
+    /// Where every contact's normal velocity is to go, its friction, and the impulse to begin with.
+    fn aim_contacts(&mut self, h: f64) {
+        let baumgarte = self.settings.stabilization == Stabilization::Baumgarte;
+        let lead = self.settings.integrator.lead();
+        self.gaps.clear();
+        self.starts.clear();
+        for c in &mut self.contacts {
+            let u = c.velocity(&self.bodies);
+            c.choose_friction(u, self.settings.slip_speed);
+            let gap = c.gap + gap_change(&self.impacts.kinks, c);
+            c.target = if gap > SLOP {
+                closing_speed(gap, u.x, h, lead)
+            } else if baumgarte && gap < 0.0 {
+                -self.settings.baumgarte * gap / h
+            } else {
+                0.0
+            };
+            c.impulse = DVec3::ZERO;
+            self.starts.push(u);
+            self.gaps.push(gap);
+        }
+        self.memory
+            .recall(&mut self.contacts, &self.bodies, &self.match_radius);
     }
 
     /// Velocities after the solve, their work, and the gaps that they lead to.
-    fn note_contacts(&mut self) {
+    fn note_contacts(&mut self, h: f64) {
         let tolerance = 10.0 * self.settings.tolerance;
+        let lead = self.settings.integrator.lead();
         for ((c, start), gap) in self
             .contacts
             .iter_mut()
             .zip(&self.starts)
             .zip(&mut self.gaps)
         {
-            c.velocity_after = relative_velocity(&self.bodies, c.bodies, c.arms);
-            let u = c.to_local(c.velocity_after);
+            let u = self.solver.velocity(c);
+            c.velocity_after = c.to_world(u);
             let mean = 0.5 * (*start + u);
             self.ledger
                 .book(0.0, c.impulse.y * mean.y + c.impulse.z * mean.z);
@@ -344,38 +372,97 @@ impl World {
             } else {
                 self.ledger.book(c.impulse.x * mean.x, 0.0);
             }
-            *gap += u.x * self.settings.timestep;
+            let pushed = c.to_world(c.impulse) + c.impact_impulse;
+            self.ledger.work_motors -= pushed.dot(c.driven(&self.bodies));
+            *gap += ((1.0 - lead) * start.x + lead * u.x) * h;
             let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
             c.sliding = loaded && length(u.y, u.z) > tolerance;
         }
     }
 
-    /// x += v dt, and the rotation that goes with it; impacts inside the step had less than the whole step to act.
-    fn move_bodies(&mut self) {
-        let moving = self.bodies.iter_mut().zip(&self.impacts.kinks);
-        for (body, kink) in moving.filter(|(b, _)| !b.is_fixed()) {
-            drift(body, self.settings.timestep);
-            body.state.position += kink.shift;
-            if kink.turn != DVec3::ZERO {
-                body.state.orientation =
-                    crate::math::rotation_from_vector(kink.turn) * body.state.orientation;
-                body.refresh();
+    /// Work of motors, and what limits and dry friction take.
+    fn note_drives(&mut self, h: f64) {
+        let impulses = self.articulation.drive_impulses();
+        for (drive, &impulse) in self.articulation.drives().iter().zip(impulses) {
+            if impulse == 0.0 {
+                continue;
+            }
+            let mean = 0.5 * (drive.row.rate(&self.bodies) + self.solver.rate(&drive.row));
+            let work = impulse * mean;
+            match drive.cause {
+                Cause::Limit => self.ledger.book(work, 0.0),
+                Cause::Friction => self.ledger.book(0.0, work),
+                Cause::Motor => {
+                    let rubbed = drive.friction * h * mean.abs();
+                    self.ledger.lost_friction += rubbed;
+                    self.ledger.work_motors += work + rubbed;
+                }
             }
         }
     }
 
+    /// The integrator's step, with contacts and drives as constant forces. Impacts inside the step had less than the
+    /// whole step to act.
+    fn move_bodies(&mut self, h: f64) {
+        let time = self.time();
+        let loads = &mut self.loads;
+        loads.reactions.clear();
+        let mut d = Dynamics {
+            forces: &self.forces,
+            joints: &self.joints,
+            articulation: &mut self.articulation,
+            held: &loads.held,
+            beta: self.settings.baumgarte,
+            baumgarte: self.settings.stabilization == Stabilization::Baumgarte,
+            work: Powers::default(),
+            stabilization: 0.0,
+            reactions: &mut loads.reactions,
+            scratch: &mut loads.scratch,
+        };
+        self.settings
+            .integrator
+            .advance(&mut self.bodies, &mut d, time, h);
+        let (work, stabilization) = (d.work, d.stabilization);
+        self.ledger.work_forces += work.forces;
+        self.ledger.work_motors += work.motors;
+        self.ledger.lost_damping -= work.damping;
+        self.ledger.stabilization += stabilization;
+        if !self.paths.is_empty() {
+            let rows = self.articulation.rows();
+            self.ledger.work_motors += work_of_fixed(rows, &self.loads.reactions, &self.bodies);
+        }
+        self.joints.values(&self.bodies, &mut self.values);
+        for (body, kink) in self.bodies.iter_mut().zip(&self.impacts.kinks) {
+            kink.straighten(body);
+        }
+        self.paths.arrive(&mut self.bodies, time + h);
+    }
+
+    /// Overlaps are taken back by moving bodies; joints then are put back as the integrator left them.
     fn correct_positions(&mut self) {
         if self.settings.stabilization == Stabilization::Baumgarte {
             return;
         }
-        let before = self.gravitational();
+        let before = self.potential().total();
         let beta = self.settings.baumgarte;
-        if self
+        let moved = self
             .correction
-            .apply(&mut self.bodies, &self.contacts, &self.gaps, beta)
-        {
-            self.ledger.stabilization += self.gravitational() - before;
+            .apply(&mut self.bodies, &self.contacts, &self.gaps, beta);
+        if (moved || self.impacts.any) && !self.articulation.is_empty() {
+            let scratch = &mut self.loads.scratch;
+            self.articulation
+                .restore(&self.joints, &mut self.bodies, &self.values, scratch);
         }
+        if moved {
+            self.ledger.stabilization += self.potential().total() - before;
+        }
+    }
+
+    /// What counts turns has seen another step.
+    fn observe(&mut self) {
+        self.joints.observe(&self.bodies);
+        self.forces.observe(&self.bodies);
+        self.paths.observe(self.time());
     }
 
     /// Has anything blown up? Does everything rest?
@@ -467,20 +554,17 @@ impl World {
         })
     }
 
-    fn gravitational(&self) -> f64 {
-        let weight = |b: &Body| -b.mass.mass * self.settings.gravity.dot(b.state.position);
-        self.bodies
-            .iter()
-            .filter(|b| !b.is_fixed())
-            .map(weight)
-            .sum()
+    fn potential(&self) -> Potential {
+        let mut potential = self.forces.potential(&self.bodies);
+        potential.spring += self.joints.spring_energy(&self.bodies);
+        potential
     }
 
     /// Energies now, and the books so far.
     #[must_use]
     pub fn energies(&self) -> Energies {
         let mut out = Energies {
-            gravitational: self.gravitational(),
+            potential: self.potential(),
             ledger: self.ledger,
             ..Energies::default()
         };
@@ -497,7 +581,7 @@ impl World {
     pub fn time(&self) -> f64 {
         #[allow(clippy::cast_precision_loss)]
         let steps = self.step as f64;
-        steps * self.settings.timestep
+        steps * self.settings.timestep + self.passed
     }
 
     /// Steps made.
@@ -514,10 +598,61 @@ impl World {
         steps * self.settings.timestep
     }
 
-    /// All bodies.
+    /// All bodies of the scene.
     #[must_use]
     pub fn bodies(&self) -> &[Body] {
+        &self.bodies[..self.bodies.len() - 1]
+    }
+
+    /// The same, and the world behind them.
+    #[must_use]
+    pub fn all_bodies(&self) -> &[Body] {
         &self.bodies
+    }
+
+    /// Steps in which located impacts were more than a step may have.
+    #[must_use]
+    pub fn fallbacks(&self) -> u64 {
+        self.fallbacks
+    }
+
+    /// All joints.
+    #[must_use]
+    pub fn joints(&self) -> &Joints {
+        &self.joints
+    }
+
+    /// Of every spring: length and tension, or angle and torque.
+    pub fn springs(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        self.forces.readings(&self.bodies)
+    }
+
+    /// Of every declared joint at this instant: force [N] and torque [N m] about its anchor, on body A.
+    pub fn joint_loads(&mut self) -> Vec<(DVec3, DVec3)> {
+        let time = self.time();
+        let system = (&self.forces, &self.joints, &mut self.articulation);
+        self.loads.solve_reactions(&self.bodies, system, time);
+        let drives = self.articulation.drives();
+        let one = |j: usize| {
+            let rows = self.joints.rows_of(j);
+            let held = self.joints.reaction(
+                j,
+                &self.articulation.rows()[rows.clone()],
+                &self.articulation.impulses()[rows],
+                &self.bodies,
+            );
+            let pulled = self.joints.pull_on(j, &self.bodies, time);
+            let mut load = (held.0 + pulled.0, held.1 + pulled.1);
+            let forces = drives.iter().zip(&self.loads.drive_forces);
+            for (drive, &force) in forces.filter(|(d, _)| d.joint == j) {
+                let (f, t) = self
+                    .joints
+                    .reaction(j, &[drive.row], &[force], &self.bodies);
+                load = (load.0 + f, load.1 + t);
+            }
+            load
+        };
+        (0..self.joints.declared()).map(one).collect()
     }
 
     /// All geoms.
@@ -551,11 +686,15 @@ impl World {
         let snapshot = Snapshot {
             step: self.step,
             resting_steps: self.resting_steps,
+            fallbacks: self.fallbacks,
             states: self.bodies.iter().map(|b| b.state).collect(),
             memory: self.memory.clone(),
             noise: self.noise.clone(),
             ledger: self.ledger,
             events: self.impacts.events.clone(),
+            joints: self.joints.state().clone(),
+            holds: self.articulation.kept_holds().to_vec(),
+            turns: self.forces.turns(),
         };
         postcard::to_stdvec(&snapshot).map_err(|e| e.to_string())
     }
@@ -569,12 +708,20 @@ impl World {
         if snapshot.states.len() != self.bodies.len() || snapshot.noise.len() != self.bodies.len() {
             return Err("the checkpoint is of another number of bodies".into());
         }
+        self.articulation.set_kept_holds(snapshot.holds)?;
+        self.joints.set_state(snapshot.joints)?;
+        if !self.forces.set_turns(&snapshot.turns) {
+            return Err("the checkpoint is of other springs".into());
+        }
         for (body, state) in self.bodies.iter_mut().zip(&snapshot.states) {
             body.state = *state;
             body.derive();
         }
         self.step = snapshot.step;
+        let time = self.time();
+        self.paths.arrive(&mut self.bodies, time);
         self.resting_steps = snapshot.resting_steps;
+        self.fallbacks = snapshot.fallbacks;
         self.memory = snapshot.memory;
         self.noise = snapshot.noise;
         self.ledger = snapshot.ledger;
@@ -582,4 +729,33 @@ impl World {
         self.contacts.clear();
         Ok(())
     }
+}
+
+/// Bodies at their starts, and the world behind them.
+fn place_bodies(model: &Model) -> Vec<Body> {
+    let mut bodies: Vec<Body> = Vec::with_capacity(model.bodies.len() + 1);
+    for (mass, state, omega) in &model.bodies {
+        let mut body = Body::new(mass.clone(), *state);
+        body.set_angular_velocity(*omega);
+        bodies.push(body);
+    }
+    bodies.push(Body::new(MassProperties::fixed(), State::default()));
+    for geom in &model.geoms {
+        let reach = geom.position.length() + geom.shape.bounding_radius();
+        let body = &mut bodies[geom.body];
+        body.reach = body.reach.max(reach);
+    }
+    for (body, &velocity) in bodies.iter_mut().zip(&model.surface_velocities) {
+        body.surface_velocity = velocity;
+    }
+    bodies
+}
+
+/// The normal velocity at the end of a step of `h` that just closes a gap, from the velocity `start` at its beginning:
+/// gap + ((1 - lead) start + lead end) h = 0. A contact never asks for more than parting with no speed.
+fn closing_speed(gap: f64, start: f64, h: f64, lead: f64) -> f64 {
+    if lead == 0.0 {
+        return -gap / h; // this step's displacement is settled; the next one is to close the gap at most
+    }
+    ((-gap / h - (1.0 - lead) * start) / lead).min(0.0)
 }

@@ -2,6 +2,8 @@
 
 use _engine::body::{MassProperties, State};
 use _engine::collide::NoOracle;
+use _engine::force::ForceModel;
+use _engine::integrator::Integrator;
 use _engine::model::{Coefficients, Geom, Model, PairTable, Settings, Stabilization};
 use _engine::shape::Shape;
 use _engine::world::World;
@@ -23,8 +25,9 @@ impl Scene {
         Self {
             model: Model {
                 settings: Settings {
-                    gravity: DVec3::new(0.0, 0.0, -G),
                     timestep,
+                    integrator: Integrator::SemiImplicitEuler,
+                    located: false,
                     iterations: 50,
                     tolerance: 1e-6,
                     stabilization: Stabilization::SplitImpulse,
@@ -37,6 +40,14 @@ impl Scene {
                 geoms: Vec::new(),
                 pairs: PairTable::new(1, vec![coefficients]),
                 no_contact: Vec::new(),
+                forces: ForceModel {
+                    gravity: DVec3::new(0.0, 0.0, -G),
+                    ..ForceModel::default()
+                },
+                joints: Vec::new(),
+                drives: Vec::new(),
+                motions: Vec::new(),
+                surface_velocities: Vec::new(),
             },
         }
     }
@@ -148,7 +159,7 @@ fn newtons_cradle_passes_momentum_through() {
     for gap in [0.0, 1e-3] {
         for incoming in [1, 2] {
             let mut scene = Scene::new(1e-3, 1.0, 0.0);
-            scene.model.settings.gravity = DVec3::ZERO;
+            scene.model.forces.gravity = DVec3::ZERO;
             for k in 0..5 {
                 let comes = k < incoming;
                 let x = k as f64 * (0.2 + gap) - if comes { 0.5 } else { 0.0 };
@@ -224,7 +235,7 @@ fn a_restored_world_goes_on_bit_for_bit() {
 fn oblique_impact_takes_the_normal_at_touching() {
     for dt in [1e-3, 3e-4] {
         let mut scene = Scene::new(dt, 0.7, 0.0);
-        scene.model.settings.gravity = DVec3::ZERO;
+        scene.model.forces.gravity = DVec3::ZERO;
         let mut world = scene
             .ball(0.1, DVec3::new(-1.0, 0.05, 0.0), DVec3::new(3.0, 0.0, 0.0))
             .ball(0.1, DVec3::ZERO, DVec3::ZERO)

@@ -1,5 +1,7 @@
 //! What forces come to on a body: force, torque, power, potential energy.
 
+use std::ops::{Add, Mul};
+
 use glam::DVec3;
 
 /// Force [N] and torque [N m] on a body at its centre of mass, world axes.
@@ -31,4 +33,36 @@ pub struct Potential {
     pub gravitation: f64,
     /// Stored in springs.
     pub spring: f64,
+}
+
+impl Add for Powers {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            forces: self.forces + other.forces,
+            damping: self.damping + other.damping,
+            motors: self.motors + other.motors,
+        }
+    }
+}
+
+impl Mul<f64> for Powers {
+    type Output = Self;
+
+    fn mul(self, factor: f64) -> Self {
+        Self {
+            forces: self.forces * factor,
+            damping: self.damping * factor,
+            motors: self.motors * factor,
+        }
+    }
+}
+
+impl Potential {
+    /// All of them.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.gravitational + self.gravitation + self.spring
+    }
 }

@@ -1,6 +1,7 @@
 //! Limits, rims, springs, dampers and servos on joints that are placed by hand.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
@@ -112,7 +113,7 @@ fn a_motor_follows_its_profile() {
             speed: 4.0,
             max: 50.0,
         }),
-        profile: Some(Profile::Ramp { over: 2.0 }),
+        profile: Some(Arc::new(Profile::Ramp { over: 2.0 })),
         ..DriveModel::free(0, 0)
     });
     let motor = rows(&joints, &turned(0.0, 2.0), 1.0)[0];
@@ -215,7 +216,7 @@ fn a_servo_is_cut_off_at_its_strength() {
             damping: 5.0,
             max: 30.0,
         }),
-        profile: Some(Profile::Ramp { over: 2.0 }),
+        profile: Some(Arc::new(Profile::Ramp { over: 2.0 })),
         ..DriveModel::free(0, 0)
     });
     // Target 0.25 at the rate 0.5: 100 * 0.05 + 5 (0.5 - 1) = 2.5.

@@ -104,6 +104,16 @@ impl Joints {
         self.joints.is_empty()
     }
 
+    /// Number of joints that somebody declared: the stops of springs come behind them.
+    #[must_use]
+    pub fn declared(&self) -> usize {
+        let stops = |joint: &Joint| joint.model.kind == Kind::Stops;
+        self.joints
+            .iter()
+            .position(stops)
+            .unwrap_or(self.joints.len())
+    }
+
     /// What joint `j` is.
     #[must_use]
     pub fn model(&self, j: usize) -> &JointModel {

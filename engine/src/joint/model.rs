@@ -1,5 +1,7 @@
 //! What a joint is and what drives it, as plain values.
 
+use std::sync::Arc;
+
 use glam::{DQuat, DVec3};
 
 use crate::profile::Profile;
@@ -114,7 +116,7 @@ pub struct DriveModel {
     /// What moves it.
     pub motor: Option<Motor>,
     /// Factor over time of the motor's speed or target; none for 1.
-    pub profile: Option<Profile>,
+    pub profile: Option<Arc<Profile>>,
 }
 
 impl DriveModel {

@@ -6,7 +6,7 @@ use glam::DVec3;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use super::{floats, index, same_length, Input};
+use super::input::{floats, index, same_length, Input};
 use crate::curve::Curve;
 use crate::force::{Acts, AppliedForce, Axes, Drag, Field, ForceModel, SpringKind, SpringModel};
 use crate::motion::{Motion, MotionKind};

@@ -4,16 +4,16 @@ use glam::{DQuat, DVec3};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use super::{index, same_length, Input};
+use super::forces::Profiles;
+use super::input::{index, quaternion, same_length, Input};
 use crate::joint::{check, DriveModel, JointModel, Kind, Motor};
-use crate::profile::Profile;
 
 /// The joints of `joint_*` and the drives of `drive_*`. The world, -1 at the border, is the body after the last of
 /// the `body_count` bodies.
 pub(super) fn read_joints(
     input: &Input<'_>,
     body_count: usize,
-    profiles: &[Profile],
+    profiles: &Profiles,
 ) -> PyResult<(Vec<JointModel>, Vec<DriveModel>)> {
     let joints = read_models(input, body_count)?;
     let drives = read_drives(input, joints.len(), profiles)?;
@@ -32,7 +32,7 @@ fn read_models(input: &Input<'_>, body_count: usize) -> PyResult<Vec<JointModel>
         .collect();
     let frames: Vec<DQuat> = rows(input, "joint_frames", 8, count)?
         .chunks_exact(4)
-        .map(super::quaternion)
+        .map(quaternion)
         .collect();
     let parameters = rows(input, "joint_parameters", 4, count)?;
     let damping = rows(input, "joint_damping", 1, count)?;
@@ -90,7 +90,7 @@ fn read_kind(kind: i32, p: &[f64], count: usize) -> PyResult<Kind> {
 fn read_drives(
     input: &Input<'_>,
     joint_count: usize,
-    profiles: &[Profile],
+    profiles: &Profiles,
 ) -> PyResult<Vec<DriveModel>> {
     let joints = input.integers("drive_joint", 1)?;
     let count = joints.len();
@@ -106,10 +106,6 @@ fn read_drives(
     let spring = rows(input, "drive_spring", 2, count)?;
     let motors = rows(input, "drive_motor", 4, count)?;
     let factors = whole("drive_profile")?;
-    let profile = |value: i32| match value {
-        -1 => Ok(None),
-        k => index(k, profiles.len(), "drive_profile").map(|k| Some(profiles[k].clone())),
-    };
     (0..count)
         .map(|k| {
             Ok(DriveModel {
@@ -122,7 +118,7 @@ fn read_drives(
                 stiffness: spring[2 * k],
                 rest: spring[2 * k + 1],
                 motor: read_motor(kinds[k], &motors[4 * k..4 * k + 4])?,
-                profile: profile(factors[k])?,
+                profile: profiles.get(factors[k], "drive_profile")?,
             })
         })
         .collect()

@@ -1,0 +1,589 @@
+//! All joints at once: the linear system of their rows, solved directly.
+//!
+//! With J the rows, M the masses and x the impulses, a set of joints asks for J (v + M^-1 J^T x) = target. The matrix
+//! A = J M^-1 J^T couples rows that share a moving body, so a chain gives a band and a tree of joints no fill at all: a
+//! direct solve costs as much as the mechanism has joints, and is as exact for a weight of a tonne on a chain of grams as
+//! for equal links. Redundant rows (a door on two hinges) make A singular: a share EPSILON of the diagonal is
+//! added, and taken back by iterative refinement, which leaves of all solutions one that is next to the smallest.
+//!
+//! Motors, dry friction and limits are rows with bounds lower <= x <= upper. Which of them stand at a bound is found by
+//! an active set: solve with the free ones, clamp those beyond their bounds, free those that are pushed inwards, until
+//! nothing changes (Hintermueller, Ito & Kunisch 2002, "The primal-dual active set strategy as a semismooth Newton
+//! method"; every sixth round only the first to change does, which cannot cycle: Murty 1974).
+
+mod assembly;
+mod ldl;
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::Body;
+use crate::force::Wrench;
+use crate::joint::{Cause, DriveRow, End, Joints, Kind, Row};
+use crate::mover::{Moving, Twist};
+use assembly::{Assembly, Member};
+
+/// Share of the diagonal that is added to it. Greater, and refinement converges slowly for heavy ends (1 : 1000 at 100
+/// links has eigenvalues of 1e-7 of the diagonal); smaller, and rounding errors grow in redundant rows.
+const EPSILON: f64 = 1e-10;
+/// Refinements at most; two are enough unless a row is redundant or an end heavy.
+const REFINEMENTS: usize = 6;
+/// Rounds of the active set at most.
+const ROUNDS: usize = 60;
+
+/// A limit this near is reached [m or rad].
+const REACHED: f64 = 1e-6;
+
+/// Whether a bounded row pushes as much as it takes, or as much as it may.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Hold {
+    /// Between its bounds.
+    Free,
+    /// At the lower bound.
+    Lower,
+    /// At the upper bound.
+    Upper,
+}
+
+/// What a row is to reach, and with how much.
+#[derive(Clone, Copy, Debug)]
+pub struct Aim {
+    /// Rate [m/s or rad/s].
+    pub target: f64,
+    /// Least impulse [N s or N m s].
+    pub lower: f64,
+    /// Greatest impulse.
+    pub upper: f64,
+}
+
+impl Aim {
+    /// A row that may push both ways without bound.
+    #[must_use]
+    pub fn held(target: f64) -> Self {
+        Self {
+            target,
+            lower: f64::NEG_INFINITY,
+            upper: f64::INFINITY,
+        }
+    }
+
+    /// What a drive is to do in a step of `h`.
+    #[must_use]
+    pub fn of_step(drive: &DriveRow, h: f64) -> Self {
+        Self {
+            target: drive.target,
+            lower: drive.lower * h,
+            upper: drive.upper * h,
+        }
+    }
+
+    /// What a drive does in no time: only a limit that is reached can push, and it keeps the coordinate from going on.
+    #[must_use]
+    pub fn of_impact(drive: &DriveRow, bodies: &[Body]) -> Self {
+        if drive.cause != Cause::Limit || drive.is_idle() || drive.row.value > REACHED {
+            return Self::IDLE;
+        }
+        Self {
+            target: drive.row.rate(bodies).min(0.0),
+            lower: 0.0,
+            upper: f64::INFINITY,
+        }
+    }
+
+    /// A row that takes no part.
+    pub const IDLE: Self = Self {
+        target: 0.0,
+        lower: 0.0,
+        upper: 0.0,
+    };
+
+    fn is_idle(&self) -> bool {
+        self.lower == 0.0 && self.upper == 0.0
+    }
+}
+
+/// The rows of all joints and the systems that they form.
+#[derive(Clone, Debug, Default)]
+pub struct Articulation {
+    /// Bilateral rows of all joints, then those of their drives.
+    rows: Vec<Row>,
+    bilateral: usize,
+    /// M^-1 J^T of each row, end by end.
+    weighted: Vec<[Twist; 4]>,
+    drives: Vec<DriveRow>,
+    assemblies: Vec<Assembly>,
+    /// The assembly of each body.
+    homes: Vec<Option<usize>>,
+    aims: Vec<Aim>,
+    /// Of the solve at hand, one a row.
+    impulses: Vec<f64>,
+    holds: Vec<Hold>,
+    /// Of the drives in the last step: where the next search begins.
+    kept: Vec<Hold>,
+    responses: Vec<Twist>,
+}
+
+impl Articulation {
+    /// Find out which joints hang together.
+    #[must_use]
+    pub fn new(joints: &Joints, bodies: &[Body], timestep: f64) -> Self {
+        let mut out = Self::default();
+        out.load(joints, bodies, 0.0, timestep);
+        let members: Vec<Member> = (0..joints.len())
+            .map(|j| {
+                let drives = out.drives.iter().enumerate().filter(|(_, d)| d.joint == j);
+                let rows = joints
+                    .rows_of(j)
+                    .chain(drives.map(|(k, _)| out.bilateral + k))
+                    .collect();
+                let mut touched = bodies_of(joints, j);
+                touched.retain(|&b| !bodies[b].is_fixed());
+                Member {
+                    rows,
+                    bodies: touched,
+                }
+            })
+            .collect();
+        out.assemblies = assembly::divide(&members);
+        out.homes = vec![None; bodies.len()];
+        for (index, assembly) in out.assemblies.iter().enumerate() {
+            for &body in &assembly.bodies {
+                out.homes[body] = Some(index);
+            }
+        }
+        out.holds = vec![Hold::Lower; out.rows.len()];
+        out.kept = vec![Hold::Lower; out.drives.len()];
+        out.impulses = vec![0.0; out.rows.len()];
+        out.aims = vec![Aim::IDLE; out.rows.len()];
+        out.responses = vec![Twist::default(); bodies.len()];
+        out
+    }
+
+    /// No joints at all.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.assemblies.is_empty()
+    }
+
+    /// Number of assemblies.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.assemblies.len()
+    }
+
+    /// The assembly of a body.
+    #[must_use]
+    pub fn home(&self, body: usize) -> Option<usize> {
+        self.homes.get(body).copied().flatten()
+    }
+
+    /// One body that stands for all that joints tie together with `body`.
+    #[must_use]
+    pub fn leader(&self, body: usize) -> usize {
+        self.home(body)
+            .map_or(body, |assembly| self.assemblies[assembly].bodies[0])
+    }
+
+    /// Moving bodies of an assembly.
+    #[must_use]
+    pub fn bodies(&self, assembly: usize) -> &[usize] {
+        &self.assemblies[assembly].bodies
+    }
+
+    /// Bilateral rows, joint after joint.
+    #[must_use]
+    pub fn rows(&self) -> &[Row] {
+        &self.rows[..self.bilateral]
+    }
+
+    /// Bilateral rows and those of the drives, as `impulses` are ordered.
+    #[must_use]
+    pub fn all_rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// Impulses of the drives in the solve at hand.
+    #[must_use]
+    pub fn drive_impulses(&self) -> &[f64] {
+        &self.impulses[self.bilateral..]
+    }
+
+    /// Aim for a step of `h`: bilateral rows as `bilateral` says, drives as they ask; the search for those at a bound
+    /// begins with those of the last step.
+    pub fn aim_step(&mut self, bilateral: impl Fn(&Row) -> f64, h: f64) {
+        self.aim(bilateral, |drive| Aim::of_step(drive, h));
+        for (row, &kept) in (self.bilateral..).zip(&self.kept) {
+            if !self.aims[row].is_idle() {
+                self.holds[row] = kept;
+            }
+        }
+    }
+
+    /// Remember which bounded rows stand at a bound.
+    pub fn keep_holds(&mut self) {
+        self.kept.clear();
+        self.kept.extend_from_slice(&self.holds[self.bilateral..]);
+    }
+
+    /// What `keep_holds` kept; for checkpoints.
+    #[must_use]
+    pub fn kept_holds(&self) -> &[Hold] {
+        &self.kept
+    }
+
+    /// Take back what `kept_holds` gave.
+    ///
+    /// # Errors
+    /// When it is of other joints.
+    pub fn set_kept_holds(&mut self, kept: Vec<Hold>) -> Result<(), String> {
+        if kept.len() != self.kept.len() {
+            return Err("the checkpoint is of other joints".into());
+        }
+        self.kept = kept;
+        Ok(())
+    }
+
+    /// Drive rows as they were loaded.
+    #[must_use]
+    pub fn drives(&self) -> &[DriveRow] {
+        &self.drives
+    }
+
+    /// Impulses of the solve at hand: bilateral rows, then drives.
+    #[must_use]
+    pub fn impulses(&self) -> &[f64] {
+        &self.impulses
+    }
+
+    /// Rows at the present poses and velocities, and what the drives want of the step that begins.
+    pub fn load(&mut self, joints: &Joints, bodies: &[Body], time: f64, timestep: f64) {
+        joints.rows(bodies, &mut self.rows);
+        self.bilateral = self.rows.len();
+        joints.drive_rows(bodies, time, timestep, &mut self.drives);
+        self.rows.extend(self.drives.iter().map(|d| d.row));
+        self.weigh(bodies);
+    }
+
+    /// Bilateral rows at the present poses and velocities; drives take no part until the next `load`.
+    pub fn load_bilateral(&mut self, joints: &Joints, bodies: &[Body]) {
+        let drives = self.drives.len();
+        joints.rows(bodies, &mut self.rows);
+        self.rows.resize(self.bilateral + drives, Row::default());
+        self.weigh(bodies);
+    }
+
+    fn weigh(&mut self, bodies: &[Body]) {
+        self.weighted.clear();
+        for row in &self.rows {
+            let mut out = [Twist::default(); 4];
+            for (twist, end) in out.iter_mut().zip(row.ends()) {
+                let body = &bodies[end.body];
+                twist.velocity = end.linear * body.mass.inverse_mass;
+                twist.angular_velocity = body.inverse_inertia * end.angular;
+            }
+            self.weighted.push(out);
+        }
+        for assembly in &mut self.assemblies {
+            assembly.factored.clear();
+        }
+    }
+
+    /// Forget the impulses, and aim: bilateral rows as `bilateral` says, drives as `drive` says.
+    pub fn aim(&mut self, bilateral: impl Fn(&Row) -> f64, drive: impl Fn(&DriveRow) -> Aim) {
+        let drives = &self.drives;
+        for (index, aim) in self.aims.iter_mut().enumerate() {
+            let row = &self.rows[index];
+            *aim = if row.count == 0 {
+                Aim::IDLE
+            } else if index < self.bilateral {
+                Aim::held(bilateral(row))
+            } else {
+                drive(&drives[index - self.bilateral])
+            };
+        }
+        self.impulses.fill(0.0);
+        for (index, hold) in self.holds.iter_mut().enumerate() {
+            if self.aims[index].is_idle() {
+                *hold = Hold::Lower;
+            } else if index < self.bilateral {
+                *hold = Hold::Free;
+            }
+        }
+    }
+
+    /// Make the rows of an assembly reach their aims from where the bodies are; impulses add up over the calls
+    /// since `aim`.
+    pub(crate) fn solve(&mut self, assembly: usize, moving: &mut [impl Moving]) {
+        for round in 0..ROUNDS {
+            self.clamp(assembly, moving);
+            self.solve_free(assembly, moving);
+            if !self.change_holds(assembly, moving, round % 6 == 5) {
+                return;
+            }
+        }
+        self.clamp(assembly, moving);
+        self.solve_free(assembly, moving);
+    }
+
+    /// What is left of given motions when the free rows hold still: V - M^-1 J^T A^-1 J V.
+    pub(crate) fn respond(&mut self, assembly: usize, motions: &mut [Twist]) {
+        for slot in 0..self.assemblies[assembly].rows.len() {
+            let row = self.assemblies[assembly].rows[slot];
+            let free = self.holds[row] == Hold::Free;
+            self.assemblies[assembly].solution[slot] =
+                if free { -self.rate(row, motions) } else { 0.0 };
+        }
+        self.divide(assembly);
+        for slot in 0..self.assemblies[assembly].rows.len() {
+            let (row, change) = self.solved(assembly, slot);
+            self.push(row, change, motions);
+        }
+    }
+
+    /// Give all bodies the impulses that change the bilateral rows' rates by `missing` (one number a row).
+    pub fn kick(&mut self, bodies: &mut [Body], missing: &[f64]) {
+        for assembly in 0..self.assemblies.len() {
+            self.solve_for(assembly, missing);
+            for slot in 0..self.assemblies[assembly].rows.len() {
+                let (row, change) = self.solved(assembly, slot);
+                self.impulses[row] += change;
+                apply(&self.rows[row], change, bodies);
+            }
+        }
+    }
+
+    /// Displacements (as twists times 1 s) that change the bilateral rows' values by `missing`.
+    pub fn displacements(&mut self, missing: &[f64], shifts: &mut Vec<Twist>) {
+        shifts.clear();
+        shifts.resize(self.responses.len(), Twist::default());
+        for assembly in 0..self.assemblies.len() {
+            self.solve_for(assembly, missing);
+            for slot in 0..self.assemblies[assembly].rows.len() {
+                let (row, change) = self.solved(assembly, slot);
+                self.push(row, change, shifts);
+            }
+        }
+    }
+
+    fn solve_for(&mut self, assembly: usize, missing: &[f64]) {
+        let a = &mut self.assemblies[assembly];
+        for (x, &row) in a.solution.iter_mut().zip(&a.rows) {
+            let free = row < self.bilateral && self.holds[row] == Hold::Free;
+            *x = if free { missing[row] } else { 0.0 };
+        }
+        self.divide(assembly);
+    }
+
+    /// Bilateral rows change given accelerations so that theirs are as `asked`; their forces stay in `impulses`.
+    pub fn hold(&mut self, asked: impl Fn(&Row) -> f64, accelerations: &mut [Twist]) {
+        self.aim(asked, |_| Aim::IDLE);
+        for assembly in 0..self.assemblies.len() {
+            self.solve(assembly, accelerations);
+        }
+    }
+
+    /// Add J^T y to wrenches, y the forces of the last `hold`.
+    pub fn add_forces(&self, wrenches: &mut [Wrench]) {
+        for (row, &y) in self.rows().iter().zip(&self.impulses) {
+            for end in row.ends() {
+                wrenches[end.body].force += end.linear * y;
+                wrenches[end.body].torque += end.angular * y;
+            }
+        }
+    }
+
+    /// All rows free or idle as bilateral rows are, no impulses yet, drives out of it.
+    pub fn clear_impulses(&mut self) {
+        self.aim(|_| 0.0, |_| Aim::IDLE);
+    }
+
+    fn solved(&self, assembly: usize, slot: usize) -> (usize, f64) {
+        let a = &self.assemblies[assembly];
+        (a.rows[slot], a.solution[slot])
+    }
+
+    /// dC/dt of a row [m/s or rad/s].
+    pub(crate) fn rate(&self, row: usize, moving: &[impl Moving]) -> f64 {
+        rate(&self.rows[row], moving)
+    }
+
+    fn push(&self, row: usize, impulse: f64, moving: &mut [impl Moving]) {
+        for (end, weighted) in self.rows[row].ends().iter().zip(&self.weighted[row]) {
+            moving[end.body].twist_mut().add_scaled(weighted, impulse);
+        }
+    }
+
+    /// Rows at a bound push just as much as it says.
+    fn clamp(&mut self, assembly: usize, moving: &mut [impl Moving]) {
+        for slot in 0..self.assemblies[assembly].rows.len() {
+            let row = self.assemblies[assembly].rows[slot];
+            let bound = match self.holds[row] {
+                Hold::Free => continue,
+                Hold::Lower => self.aims[row].lower,
+                Hold::Upper => self.aims[row].upper,
+            };
+            let change = bound - self.impulses[row];
+            if change != 0.0 {
+                self.impulses[row] = bound;
+                self.push(row, change, moving);
+            }
+        }
+    }
+
+    fn solve_free(&mut self, assembly: usize, moving: &mut [impl Moving]) {
+        let mut worst = 0.0_f64;
+        for slot in 0..self.assemblies[assembly].rows.len() {
+            let row = self.assemblies[assembly].rows[slot];
+            let missing = if self.holds[row] == Hold::Free {
+                self.aims[row].target - self.rate(row, moving)
+            } else {
+                0.0
+            };
+            worst = worst.max(missing.abs());
+            self.assemblies[assembly].solution[slot] = missing;
+        }
+        if worst == 0.0 {
+            return;
+        }
+        self.divide(assembly);
+        for slot in 0..self.assemblies[assembly].rows.len() {
+            let (row, change) = self.solved(assembly, slot);
+            self.impulses[row] += change;
+            self.push(row, change, moving);
+        }
+    }
+
+    /// Free rows beyond a bound are clamped, clamped rows that would rather be inside are freed.
+    fn change_holds(&mut self, assembly: usize, moving: &[impl Moving], only_first: bool) -> bool {
+        let mut any = false;
+        for slot in 0..self.assemblies[assembly].rows.len() {
+            let row = self.assemblies[assembly].rows[slot];
+            if row < self.bilateral || self.aims[row].is_idle() {
+                continue;
+            }
+            let next = self.wanted_hold(row, self.rate(row, moving));
+            if next != self.holds[row] {
+                self.holds[row] = next;
+                any = true;
+                if only_first {
+                    break;
+                }
+            }
+        }
+        any
+    }
+
+    fn wanted_hold(&self, row: usize, rate: f64) -> Hold {
+        let (aim, x) = (self.aims[row], self.impulses[row]);
+        let slack = 1e-12 * (1.0 + aim.target.abs());
+        match self.holds[row] {
+            Hold::Free if x < aim.lower => Hold::Lower,
+            Hold::Free if x > aim.upper => Hold::Upper,
+            Hold::Lower if rate < aim.target - slack => Hold::Free,
+            Hold::Upper if rate > aim.target + slack => Hold::Free,
+            same => same,
+        }
+    }
+
+    /// `solution` := A^-1 `solution` over the free rows; 0 in the others.
+    fn divide(&mut self, assembly: usize) {
+        self.factor(assembly);
+        let mut a = std::mem::take(&mut self.assemblies[assembly]);
+        a.rest.copy_from_slice(&a.solution);
+        a.solution.fill(0.0);
+        let asked = greatest(&a.rest);
+        let mut size = asked;
+        for _ in 0..=REFINEMENTS {
+            a.step.copy_from_slice(&a.rest);
+            a.ldl.solve(&mut a.step);
+            for (x, step) in a.solution.iter_mut().zip(&a.step) {
+                *x += step;
+            }
+            self.subtract_product(&mut a);
+            let left = greatest(&a.rest);
+            if left <= 1e-15 * asked || left > 0.5 * size {
+                break;
+            }
+            size = left;
+        }
+        self.assemblies[assembly] = a;
+    }
+
+    /// rest -= A step, over the free rows.
+    fn subtract_product(&mut self, a: &mut Assembly) {
+        let mut responses = std::mem::take(&mut self.responses);
+        for &body in &a.bodies {
+            responses[body] = Twist::default();
+        }
+        for (&row, &x) in a.rows.iter().zip(&a.step) {
+            self.push(row, x, &mut responses);
+        }
+        for (&row, rest) in a.rows.iter().zip(&mut a.rest) {
+            if self.holds[row] == Hold::Free {
+                *rest -= self.rate(row, &responses);
+            }
+        }
+        self.responses = responses;
+    }
+
+    fn factor(&mut self, assembly: usize) {
+        let mut a = std::mem::take(&mut self.assemblies[assembly]);
+        let free = |row: usize| self.holds[row] == Hold::Free;
+        let mut pairs = a.rows.iter().zip(&a.factored);
+        if a.factored.is_empty() || pairs.any(|(&row, &was)| free(row) != was) {
+            a.factored.clear();
+            a.factored.extend(a.rows.iter().map(|&row| free(row)));
+            let rows = &a.rows;
+            a.ldl
+                .factor(|i, k| match (i == k, free(rows[i]) && free(rows[k])) {
+                    (true, true) => self.entry(rows[k], rows[k]) * (1.0 + EPSILON),
+                    (false, true) => self.entry(rows[i], rows[k]),
+                    (same, false) => f64::from(u8::from(same)),
+                });
+        }
+        self.assemblies[assembly] = a;
+    }
+
+    /// A(i, k) = J_i M^-1 J_k^T
+    fn entry(&self, i: usize, k: usize) -> f64 {
+        let mut sum = 0.0;
+        for end in self.rows[i].ends() {
+            for (other, w) in self.rows[k].ends().iter().zip(&self.weighted[k]) {
+                if end.body == other.body {
+                    sum += end.linear.dot(w.velocity) + end.angular.dot(w.angular_velocity);
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// Bodies that a joint touches; of a gear those of its joints.
+fn bodies_of(joints: &Joints, j: usize) -> Vec<usize> {
+    match joints.model(j).kind {
+        Kind::Gear { joints: two, .. } => two.iter().flat_map(|&k| bodies_of(joints, k)).collect(),
+        _ => joints.model(j).bodies.to_vec(),
+    }
+}
+
+/// dC/dt = J V of a row.
+pub(crate) fn rate(row: &Row, moving: &[impl Moving]) -> f64 {
+    let one = |end: &End| {
+        let twist = moving[end.body].twist();
+        end.linear.dot(twist.velocity) + end.angular.dot(twist.angular_velocity)
+    };
+    row.ends().iter().map(one).sum()
+}
+
+/// Impulse J^T x of a row on its bodies.
+pub(crate) fn apply(row: &Row, impulse: f64, bodies: &mut [Body]) {
+    if impulse == 0.0 {
+        return;
+    }
+    for end in row.ends() {
+        bodies[end.body].apply_wrench(end.linear * impulse, end.angular * impulse);
+    }
+}
+
+fn greatest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |worst, v| worst.max(v.abs()))
+}

@@ -1,0 +1,107 @@
+//! What moves bodies within a step: forces, joints, and the impulses of contacts and drives as constant forces.
+
+use crate::articulation::Articulation;
+use crate::body::Body;
+use crate::force::{Forces, Powers, Wrench};
+use crate::joint::{Joints, Row};
+use crate::mover::Twist;
+
+use super::runge_kutta::Stage;
+
+/// Working memory of the integrators.
+#[derive(Clone, Debug, Default)]
+pub struct Scratch {
+    pub(super) wrenches: Vec<Wrench>,
+    pub(super) states: Vec<crate::body::State>,
+    pub(super) stages: Vec<Stage>,
+    pub(super) twists: Vec<Twist>,
+    pub(super) values: Vec<f64>,
+    pub(super) missing: Vec<f64>,
+    pub(super) shifts: Vec<Twist>,
+}
+
+/// Everything that an integrator asks while it moves bodies.
+pub struct Dynamics<'a> {
+    /// Forces of position, velocity and time.
+    pub forces: &'a Forces,
+    /// Joints: their springs, dampers and servos, and the geometry of their rows.
+    pub joints: &'a Joints,
+    /// The linear system of the joints.
+    pub articulation: &'a mut Articulation,
+    /// Of contacts and drives, constant over the step.
+    pub held: &'a [Wrench],
+    /// Part of a joint's error that is taken back in a step.
+    pub beta: f64,
+    /// By a velocity (Baumgarte) instead of by moving positions.
+    pub baumgarte: bool,
+    /// Work done in this step [J], by where it came from.
+    pub work: Powers,
+    /// Kinetic and potential energy that moving onto the constraints added [J].
+    pub stabilization: f64,
+    /// Impulses of the bilateral rows in this step [N s or N m s].
+    pub reactions: &'a mut Vec<f64>,
+    /// Working memory.
+    pub scratch: &'a mut Scratch,
+}
+
+impl Dynamics<'_> {
+    /// Fill `scratch.wrenches` with all that acts but the bilateral joints.
+    pub(super) fn evaluate(&mut self, bodies: &[Body], time: f64) -> Powers {
+        let wrenches = &mut self.scratch.wrenches;
+        wrenches.clear();
+        wrenches.extend_from_slice(self.held);
+        let a = self.forces.evaluate(bodies, time, wrenches);
+        let b = self.joints.add_forces(bodies, time, wrenches);
+        a + b
+    }
+
+    /// Velocities take in the wrenches over a time.
+    pub(super) fn kick(&self, bodies: &mut [Body], time: f64) {
+        for (body, w) in bodies.iter_mut().zip(&self.scratch.wrenches) {
+            body.apply_wrench(w.force * time, w.torque * time);
+        }
+    }
+
+    /// Add the joint forces to `scratch.wrenches`: those with which J a + bias = 0, or what Baumgarte makes of it.
+    pub(super) fn add_joint_forces(&mut self, bodies: &[Body], h: f64) {
+        if self.articulation.is_empty() {
+            return;
+        }
+        self.articulation.load_bilateral(self.joints, bodies);
+        let pull = if self.baumgarte { self.beta / h } else { 0.0 };
+        let asked = |row: &Row| -row.bias - pull * (2.0 * row.rate(bodies) + pull * row.value);
+        let accelerations = &mut self.scratch.twists;
+        free_accelerations(bodies, &self.scratch.wrenches, accelerations);
+        self.articulation.hold(asked, accelerations);
+        self.articulation.add_forces(&mut self.scratch.wrenches);
+    }
+
+    /// Some force depends on velocities.
+    pub(super) fn depends_on_velocity(&self) -> bool {
+        self.forces.depends_on_velocity() || self.joints.depends_on_velocity()
+    }
+
+    /// Book power over a time.
+    pub(super) fn book(&mut self, powers: Powers, time: f64) {
+        self.work = self.work + powers * time;
+    }
+
+    /// Impulses of the bilateral rows since their last `load` are part of this step's reactions.
+    pub(super) fn note_reactions(&mut self, factor: f64) {
+        let rows = self.articulation.rows().len();
+        self.reactions.resize(rows, 0.0);
+        for (sum, impulse) in self.reactions.iter_mut().zip(self.articulation.impulses()) {
+            *sum += impulse * factor;
+        }
+    }
+}
+
+/// Accelerations without joints: a = F / m, alpha = I^-1 (torque - omega x L).
+pub fn free_accelerations(bodies: &[Body], wrenches: &[Wrench], out: &mut Vec<Twist>) {
+    out.clear();
+    out.extend(bodies.iter().zip(wrenches).map(|(b, w)| Twist {
+        velocity: w.force * b.mass.inverse_mass,
+        angular_velocity: b.inverse_inertia
+            * (w.torque - b.angular_velocity.cross(b.state.angular_momentum)),
+    }));
+}

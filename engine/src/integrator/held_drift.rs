@@ -1,0 +1,163 @@
+//! Moving bodies so that their joints hold.
+
+use super::dynamics::{Dynamics, Scratch};
+use super::rotation::rotate_free;
+use crate::articulation::Articulation;
+use crate::body::Body;
+use crate::joint::Joints;
+
+/// Rounds of Newton's method on the constraints at most; each gains a factor of about omega dt.
+const ROUNDS: usize = 12;
+/// Joints are held to this [m or rad]: rounding of coordinates of some metres.
+const HELD: f64 = 1e-14;
+
+type Splitting = &'static [(usize, f64)];
+
+impl Dynamics<'_> {
+    /// x += v h and the rotation that goes with the angular momentum; the joint impulses J(x)^T y that act before it are
+    /// those for which C(x') = (1 - beta) C(x).
+    ///
+    /// Solved by Newton's method with the matrix J M^-1 J^T at x. What is left of an error at the start (`beta` of it goes
+    /// each step) is taken back by moving positions afterwards, so that it never becomes a velocity. With Baumgarte the
+    /// velocity is made to obey J v = -(beta / h) C instead, which leaves an error of about v^2 h^2 / (2 beta L).
+    pub(super) fn drift(&mut self, bodies: &mut [Body], h: f64, splitting: Splitting) {
+        if self.articulation.is_empty() {
+            bodies.iter_mut().for_each(|b| free_drift(b, h, splitting));
+            return;
+        }
+        self.articulation.load_bilateral(self.joints, bodies);
+        self.articulation.clear_impulses();
+        let mut wanted = std::mem::take(&mut self.scratch.values);
+        wanted.clear();
+        wanted.extend(self.articulation.rows().iter().map(|r| r.value));
+        if self.baumgarte {
+            self.project_loaded_velocities(bodies, h);
+            self.note_reactions(1.0);
+            bodies.iter_mut().for_each(|b| free_drift(b, h, splitting));
+        } else {
+            self.held_drift(bodies, h, splitting, &wanted);
+            self.note_reactions(1.0);
+            wanted.iter_mut().for_each(|c| *c *= 1.0 - self.beta);
+            self.restore_positions(bodies, &wanted);
+        }
+        self.scratch.values = wanted;
+    }
+
+    fn held_drift(&mut self, bodies: &mut [Body], h: f64, splitting: Splitting, wanted: &[f64]) {
+        let mut starts = std::mem::take(&mut self.scratch.states);
+        starts.clear();
+        starts.extend(bodies.iter().map(|b| b.state));
+        let mut missing = std::mem::take(&mut self.scratch.missing);
+        let mut error = f64::INFINITY;
+        for round in 0..ROUNDS {
+            for (k, body) in bodies.iter_mut().enumerate() {
+                if round == 0 || self.articulation.home(k).is_some() {
+                    free_drift(body, h, splitting);
+                }
+            }
+            self.joints.values(bodies, &mut missing);
+            let mut worst = 0.0_f64;
+            for (value, want) in missing.iter_mut().zip(wanted) {
+                *value = want - *value;
+                worst = worst.max(value.abs());
+                *value /= h;
+            }
+            if worst <= HELD || worst > 0.5 * error {
+                break;
+            }
+            error = worst;
+            for (k, body) in bodies.iter_mut().enumerate() {
+                if self.articulation.home(k).is_some() {
+                    body.state.position = starts[k].position;
+                    body.state.orientation = starts[k].orientation;
+                    body.derive();
+                }
+            }
+            self.articulation.kick(bodies, &missing);
+        }
+        self.scratch.missing = missing;
+        self.scratch.states = starts;
+    }
+
+    /// Velocities obey the joints: J v = 0; with Baumgarte J v = -(beta / h) C.
+    pub(super) fn project_velocities(&mut self, bodies: &mut [Body], h: f64) {
+        if self.articulation.is_empty() {
+            return;
+        }
+        self.articulation.load_bilateral(self.joints, bodies);
+        self.articulation.clear_impulses();
+        self.project_loaded_velocities(bodies, h);
+    }
+
+    fn project_loaded_velocities(&mut self, bodies: &mut [Body], h: f64) {
+        let pull = if self.baumgarte { self.beta / h } else { 0.0 };
+        let mut missing = std::mem::take(&mut self.scratch.missing);
+        missing.clear();
+        missing.extend(
+            self.articulation
+                .rows()
+                .iter()
+                .map(|row| -pull * row.value - row.rate(bodies)),
+        );
+        self.articulation.kick(bodies, &missing);
+        self.scratch.missing = missing;
+    }
+
+    /// Bodies back to where their rows have the values `wanted`.
+    pub(super) fn restore_positions(&mut self, bodies: &mut [Body], wanted: &[f64]) {
+        let before = self.forces.potential(bodies).total() + self.joints.spring_energy(bodies);
+        if self
+            .articulation
+            .restore(self.joints, bodies, wanted, self.scratch)
+        {
+            let after = self.forces.potential(bodies).total() + self.joints.spring_energy(bodies);
+            self.stabilization += after - before;
+        }
+    }
+}
+
+impl Articulation {
+    /// Bodies move along M^-1 J^T until their rows have the values `wanted`; momenta turn along, so that the kinetic
+    /// energy stays. Returns false when nothing was to be done.
+    pub fn restore(
+        &mut self,
+        joints: &Joints,
+        bodies: &mut [Body],
+        wanted: &[f64],
+        scratch: &mut Scratch,
+    ) -> bool {
+        let mut error = f64::INFINITY;
+        let mut moved = false;
+        for _ in 0..ROUNDS {
+            joints.values(bodies, &mut scratch.missing);
+            let mut worst = 0.0_f64;
+            for (value, want) in scratch.missing.iter_mut().zip(wanted) {
+                *value = want - *value;
+                worst = worst.max(value.abs());
+            }
+            if worst <= 10.0 * HELD || worst > 0.5 * error {
+                break;
+            }
+            error = worst;
+            moved = true;
+            self.load_bilateral(joints, bodies);
+            self.clear_impulses();
+            self.displacements(&scratch.missing, &mut scratch.shifts);
+            let shifted = bodies.iter_mut().zip(&scratch.shifts);
+            for (body, shift) in shifted.filter(|(b, _)| !b.is_fixed()) {
+                body.displace(shift.velocity, shift.angular_velocity);
+            }
+        }
+        moved
+    }
+}
+
+/// x += v h, and the rotation that goes with the angular momentum.
+fn free_drift(body: &mut Body, h: f64, splitting: Splitting) {
+    if body.is_fixed() {
+        return;
+    }
+    body.state.position += body.state.velocity * h;
+    rotate_free(body, h, splitting);
+    body.refresh();
+}

@@ -1,0 +1,124 @@
+//! What acts on bodies in a step before anything moves: forces, and what contacts and drives came to.
+
+use glam::DVec3;
+
+use crate::articulation::Articulation;
+use crate::body::Body;
+use crate::contact::Contact;
+use crate::force::{Forces, Wrench};
+use crate::integrator::{free_accelerations, Scratch};
+use crate::joint::{Joints, Row};
+use crate::mover::Twist;
+
+/// Wrenches and accelerations of all bodies.
+#[derive(Clone, Debug, Default)]
+pub struct Loads {
+    wrenches: Vec<Wrench>,
+    /// Accelerations without joints and contacts.
+    pub free: Vec<Twist>,
+    /// Accelerations without contacts.
+    pub accelerations: Vec<Twist>,
+    /// Of contacts and drives, constant over the step.
+    pub held: Vec<Wrench>,
+    /// Of each drive [N or N m].
+    pub drive_forces: Vec<f64>,
+    /// Impulses of the bilateral rows in the step.
+    pub reactions: Vec<f64>,
+    /// Working memory of the integrator.
+    pub scratch: Scratch,
+}
+
+impl Loads {
+    /// For so many bodies.
+    #[must_use]
+    pub fn new(bodies: usize) -> Self {
+        Self {
+            held: vec![Wrench::default(); bodies],
+            ..Self::default()
+        }
+    }
+
+    /// Forces at the time, the accelerations that they give, and the rows of the joints for a step of `h`.
+    pub fn evaluate(
+        &mut self,
+        bodies: &[Body],
+        (forces, joints, articulation): (&Forces, &Joints, &mut Articulation),
+        time: f64,
+        h: f64,
+    ) {
+        self.clear();
+        forces.evaluate(bodies, time, &mut self.wrenches);
+        joints.add_forces(bodies, time, &mut self.wrenches);
+        free_accelerations(bodies, &self.wrenches, &mut self.free);
+        if !articulation.is_empty() {
+            articulation.load(joints, bodies, time, h);
+        }
+        for (k, (a, body)) in self.free.iter_mut().zip(bodies).enumerate() {
+            // A free body's contacts are solved with the angular momentum it will have and the inertia it has now.
+            if articulation.home(k).is_none() {
+                a.angular_velocity = body.inverse_inertia * self.wrenches[k].torque;
+            }
+        }
+        self.accelerations.clone_from(&self.free);
+        articulation.hold(|row| -row.bias, &mut self.accelerations);
+    }
+
+    fn clear(&mut self) {
+        self.wrenches.clear();
+        self.wrenches.resize(self.held.len(), Wrench::default());
+    }
+
+    /// Impulses of contacts and drives become forces over the step.
+    pub fn hold(&mut self, contacts: &[Contact], articulation: &Articulation, h: f64) {
+        self.held.fill(Wrench::default());
+        for c in contacts.iter().filter(|c| c.impulse != DVec3::ZERO) {
+            let force = c.to_world(c.impulse) / h;
+            for (body, f, arm) in [
+                (c.bodies.0, force, c.arms.0),
+                (c.bodies.1, -force, c.arms.1),
+            ] {
+                self.held[body].force += f;
+                self.held[body].torque += arm.cross(f);
+            }
+        }
+        self.drive_forces.clear();
+        for (drive, impulse) in articulation
+            .drives()
+            .iter()
+            .zip(articulation.drive_impulses())
+        {
+            let force = impulse / h;
+            self.drive_forces.push(force);
+            for end in drive.row.ends() {
+                self.held[end.body].force += end.linear * force;
+                self.held[end.body].torque += end.angular * force;
+            }
+        }
+    }
+
+    /// Forces of the bilateral rows at this instant: those with which J a + bias = 0 under all that acts. They are left
+    /// in the articulation.
+    pub fn solve_reactions(
+        &mut self,
+        bodies: &[Body],
+        (forces, joints, articulation): (&Forces, &Joints, &mut Articulation),
+        time: f64,
+    ) {
+        self.wrenches.clone_from(&self.held);
+        forces.evaluate(bodies, time, &mut self.wrenches);
+        joints.add_forces(bodies, time, &mut self.wrenches);
+        free_accelerations(bodies, &self.wrenches, &mut self.free);
+        articulation.load_bilateral(joints, bodies);
+        articulation.hold(|row| -row.bias, &mut self.free);
+    }
+}
+
+/// Work that fixed bodies on a prescribed path do through joints, by the impulses of the rows [J].
+#[must_use]
+pub fn work_of_fixed(rows: &[Row], impulses: &[f64], bodies: &[Body]) -> f64 {
+    let work = |(row, impulse): (&Row, &f64)| {
+        let fixed = row.ends().iter().filter(|end| bodies[end.body].is_fixed());
+        -impulse * fixed.map(|end| end.rate(bodies)).sum::<f64>()
+    };
+    rows.iter().zip(impulses).map(work).sum()
+}

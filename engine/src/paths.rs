@@ -1,0 +1,57 @@
+//! Fixed bodies on their prescribed paths, step by step.
+
+use crate::body::{Body, State};
+use crate::math::rotation_vector;
+use crate::motion::Motion;
+
+/// All prescribed motions of a world.
+#[derive(Clone, Debug, Default)]
+pub struct Paths {
+    motions: Vec<Motion>,
+    starts: Vec<State>,
+}
+
+impl Paths {
+    /// Of bodies as they stand at the start.
+    #[must_use]
+    pub fn new(motions: Vec<Motion>, bodies: &[Body]) -> Self {
+        Self {
+            starts: motions.iter().map(|m| bodies[m.body()].state).collect(),
+            motions,
+        }
+    }
+
+    /// Nothing moves by prescription.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.motions.is_empty()
+    }
+
+    /// For the step from `time` on, bodies get the velocity that takes them straight to where they are to be at its end.
+    pub fn depart(&self, bodies: &mut [Body], time: f64, h: f64) {
+        for (motion, start) in self.motions.iter().zip(&self.starts) {
+            let body = &mut bodies[motion.body()];
+            let (position, orientation) = motion.pose(start, time + h);
+            body.state.velocity = (position - body.state.position) / h;
+            let turn = orientation * body.state.orientation.conjugate();
+            body.angular_velocity = rotation_vector(turn) / h;
+        }
+    }
+
+    /// At the end of a step bodies are where they are to be, with the velocity of that instant.
+    pub fn arrive(&self, bodies: &mut [Body], time: f64) {
+        for (motion, start) in self.motions.iter().zip(&self.starts) {
+            let body = &mut bodies[motion.body()];
+            (body.state.position, body.state.orientation) = motion.pose(start, time);
+            (body.state.velocity, body.angular_velocity) = motion.velocity(start, time);
+            body.refresh();
+        }
+    }
+
+    /// Once a step, at its time.
+    pub fn observe(&mut self, time: f64) {
+        for motion in &mut self.motions {
+            motion.observe(time);
+        }
+    }
+}
