@@ -40,9 +40,10 @@ def command(file: str, overrides: tuple[str, ...], as_json: bool) -> None:
     """Show what physsim makes of a scene, or what a trajectory holds.
 
     Of a scene: each body with its mass, centre of mass, principal moments and axes, and by which method they
-    were found; the resolved pair matrix, with the row or rule that each number came from; overlaps at the
-    start. Of a trajectory: status, frames, time range, bodies, energy, versions and where it came from; also
-    while it is still being written.
+    were found; each spring with natural frequency, damping ratio and critical damping; each joint with what
+    it holds and what drives it; forces; the resolved pair matrix, with the row or rule that each number came
+    from; overlaps at the start. Of a trajectory: status, frames, time range, bodies, joints, springs, energy,
+    versions and where it came from; also while it is still being written.
     """
     if is_trajectory(Path(file)):
         if overrides:

@@ -1,4 +1,4 @@
-"""What `physsim info` says of a scene: masses and where they come from, pairs of materials, overlaps."""
+"""What `physsim info` says of a scene: masses, springs, joints, forces, pairs of materials, overlaps."""
 
 # ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from physsim.cli import output, problems
+from physsim.cli import info_mechanics, output, problems
 from physsim.cli.table import direction, number, place, table, vector
 
 if TYPE_CHECKING:
@@ -35,6 +35,9 @@ def show(file: str, overrides: Sequence[str], as_json: bool) -> None:
         "file": file,
         "scene": scene_facts(scene, model),
         "bodies": [body_facts(model, index) for index in range(len(model.body_names))],
+        "springs": info_mechanics.spring_facts(model),
+        "joints": info_mechanics.joint_facts(model),
+        "forces": info_mechanics.force_facts(model),
         "pairs": pair_facts(model),
         "overlaps": [overlap_facts(overlap) for overlap in overlaps],
     }
@@ -96,6 +99,8 @@ def pair_facts(model: Model) -> list[Facts]:
             "restitution": float(pairs.restitution[i, j]),
             "static_friction": float(pairs.static_friction[i, j]),
             "kinetic_friction": float(pairs.kinetic_friction[i, j]),
+            "rolling_friction": float(pairs.rolling_friction[i, j]),
+            "spinning_friction": float(pairs.spinning_friction[i, j]),
             "source": pairs.source[i][j],
         }
         for i, j in combinations_with_replacement(range(len(names)), 2)
@@ -120,9 +125,14 @@ def as_text(facts: Facts) -> str:
         f"{bodies}; {scene['duration']:g} s in {scene['steps']} steps of "
         f"{scene['timestep']:g} s, {scene['integrator']}; a frame every {scene['record_every']:g} s"
     )
-    return "\n\n".join(
-        [head, bodies_text(facts["bodies"]), pairs_text(facts["pairs"]), overlaps_text(facts["overlaps"])]
-    )
+    mechanics = {
+        "springs": info_mechanics.springs_text,
+        "joints": info_mechanics.joints_text,
+        "forces": info_mechanics.forces_text,
+    }
+    there = [text(facts[name]) for name, text in mechanics.items() if facts[name]]
+    contacts = [pairs_text(facts["pairs"]), overlaps_text(facts["overlaps"])]
+    return "\n\n".join([head, bodies_text(facts["bodies"]), *there, *contacts])
 
 
 def bodies_text(bodies: Sequence[Facts]) -> str:
@@ -172,18 +182,16 @@ def without_copies(bodies: Sequence[Facts]) -> list[Facts]:
 
 
 def pairs_text(pairs: Sequence[Facts]) -> str:
-    """The resolved matrix, one pair in a line."""
+    """The resolved matrix, one pair in a line; rolling and spinning friction where there is any."""
+    columns = {"restitution": "restitution", "static_friction": "static", "kinetic_friction": "kinetic"}
+    for lever, head in (("rolling_friction", "rolling [m]"), ("spinning_friction", "spinning [m]")):
+        if any(pair[lever] for pair in pairs):
+            columns[lever] = head
     rows = [
-        [
-            " - ".join(pair["between"]),
-            number(pair["restitution"]),
-            number(pair["static_friction"]),
-            number(pair["kinetic_friction"]),
-            pair["source"],
-        ]
+        [" - ".join(pair["between"]), *(number(pair[name]) for name in columns), pair["source"]]
         for pair in pairs
     ]
-    return table(("pair", "restitution", "static", "kinetic", "from"), rows, right=(1, 2, 3))
+    return table(("pair", *columns.values(), "from"), rows, right=range(1, 1 + len(columns)))
 
 
 def overlaps_text(overlaps: Sequence[Facts]) -> str:

@@ -1,4 +1,4 @@
-"""What `physsim info` says of a trajectory: how far it came, what moves in it, its energy, its origin."""
+"""What `physsim info` says of a trajectory: how far it came, what moves in it, energy and origin."""
 
 # ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
 
@@ -21,6 +21,7 @@ BODIES_SHOWN = 40
 
 def show(file: str, as_json: bool) -> None:
     """Open and describe; raises FileTrouble for what is no trajectory, or damaged."""
+    from physsim.cli import info_connections
     from physsim.recording import open_trajectory
 
     with open_trajectory(file) as trajectory:
@@ -28,6 +29,8 @@ def show(file: str, as_json: bool) -> None:
             "file": str(trajectory.path),
             "trajectory": run_facts(trajectory),
             "bodies": body_facts(trajectory),
+            "joints": info_connections.joint_facts(trajectory),
+            "springs": info_connections.spring_facts(trajectory),
             "energy": energy_facts(trajectory),
             "provenance": provenance_facts(trajectory),
         }
@@ -97,8 +100,14 @@ def parsed(text: str) -> Any:
 
 def as_text(facts: Facts) -> str:
     """The whole answer for people."""
-    parts = [head_text(facts), bodies_text(facts["bodies"]), energy_text(facts["energy"])]
-    return "\n\n".join([*parts, provenance_text(facts["provenance"])])
+    from physsim.cli import info_connections
+
+    parts = [head_text(facts), bodies_text(facts["bodies"])]
+    if facts["joints"]:
+        parts.append(info_connections.joints_text(facts["joints"]))
+    if facts["springs"]:
+        parts.append(info_connections.springs_text(facts["springs"]))
+    return "\n\n".join([*parts, energy_text(facts["energy"]), provenance_text(facts["provenance"])])
 
 
 def head_text(facts: Facts) -> str:

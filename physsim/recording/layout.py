@@ -192,6 +192,8 @@ _PAIRS = (
     Column("pairs/restitution", ("pair",), "f8", "1", "Coefficient of restitution."),
     Column("pairs/static_friction", ("pair",), "f8", "1", "Coefficient of static friction."),
     Column("pairs/kinetic_friction", ("pair",), "f8", "1", "Coefficient of kinetic friction."),
+    Column("pairs/rolling_friction", ("pair",), "f8", "m", "Lever of rolling friction.", later=True),
+    Column("pairs/spinning_friction", ("pair",), "f8", "m", "Lever of spinning friction.", later=True),
     Column(
         "pairs/source",
         ("pair",),

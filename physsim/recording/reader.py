@@ -15,6 +15,7 @@ import numpy as np
 from physsim.errors import FileTrouble, PhyssimError
 from physsim.recording import layout
 from physsim.recording.checkpoint import Checkpoint, newest
+from physsim.recording.column import Column
 from physsim.recording.connection_track import JointTrack, SpringTrack
 from physsim.recording.contents import columns_of, find_datasets, whole_frames
 from physsim.recording.safe import (
@@ -208,7 +209,7 @@ class Trajectory:
     @property
     def pairs(self) -> Table:
         """The resolved coefficients of every pair of materials, with where each came from."""
-        return Table({column.name: self.values(column.path) for column in columns_of("pairs")})
+        return Table({column.name: self.values(column.path) for column in self._there("pairs")})
 
     @property
     def provenance(self) -> dict[str, Any]:
@@ -281,8 +282,11 @@ class Trajectory:
         return np.asarray(self.series(path)[:])
 
     def _table_over_time(self, group: str) -> Table:
-        there = [column for column in columns_of(group) if column.path in self._datasets]
-        return Table({column.name: self._over_time(column.path) for column in there})
+        return Table({column.name: self._over_time(column.path) for column in self._there(group)})
+
+    def _there(self, group: str) -> list[Column]:
+        """The columns of a group that the file has: an older one may lack some."""
+        return [column for column in columns_of(group) if column.path in self._datasets]
 
     def _names(self, path: str) -> tuple[str, ...]:
         return tuple(str(name) for name in self.values(path)) if path in self._datasets else ()

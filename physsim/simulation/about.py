@@ -20,6 +20,13 @@ if TYPE_CHECKING:
     from physsim.model import Model
     from physsim.scene import Scene
 
+_COEFFICIENTS = (
+    "restitution",
+    "static_friction",
+    "kinetic_friction",
+    "rolling_friction",
+    "spinning_friction",
+)
 PACKAGES = ("numpy", "h5py", "pydantic", "PyYAML", "trimesh", "scipy", "python-fcl", "coacd")
 
 
@@ -94,10 +101,7 @@ def _pairs(model: Model) -> dict[str, Any]:
         "pairs/pair": [f"{names[a]}, {names[b]}" for a, b in rows],
         "pairs/material_a": [names[a] for a, _ in rows],
         "pairs/material_b": [names[b] for _, b in rows],
-        **{
-            f"pairs/{name}": [getattr(pairs, name)[a, b] for a, b in rows]
-            for name in ("restitution", "static_friction", "kinetic_friction")
-        },
+        **{f"pairs/{name}": [getattr(pairs, name)[a, b] for a, b in rows] for name in _COEFFICIENTS},
         "pairs/source": [pairs.source[a][b] for a, b in rows],
     }
 

@@ -42,6 +42,8 @@ def fixed_values(bodies: int) -> dict[str, Any]:
         "pairs/restitution": [0.6],
         "pairs/static_friction": [0.74],
         "pairs/kinetic_friction": [0.57],
+        "pairs/rolling_friction": [0.001],
+        "pairs/spinning_friction": [0.0],
         "pairs/source": ["library"],
         **dict.fromkeys(texts, "{}"),
         "provenance/wall_time": 0.0,

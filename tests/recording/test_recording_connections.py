@@ -74,14 +74,15 @@ def without_connections(path: Path) -> Path:
 
 
 def test_files_from_before_these_datasets_are_whole(recorded: Recorded) -> None:
-    """Fallbacks and gravitation came later; the total of the energies does without."""
+    """Fallbacks, gravitation and rolling friction came later."""
     path = recorded(frames=FRAMES)
     with h5py.File(path, "r+") as file:
-        del file["solver/fallbacks"], file["energy/gravitation"]
+        del file["solver/fallbacks"], file["energy/gravitation"], file["pairs/rolling_friction"]
     with open_trajectory(path) as trajectory:
         assert trajectory.frames == FRAMES
         assert "gravitation" not in trajectory.energy
         assert set(trajectory.solver) == {"residual", "iterations", "contact_count"}
+        assert "rolling_friction" not in trajectory.pairs
 
 
 def test_a_group_in_parts_is_damage(recorded: Recorded) -> None:

@@ -100,6 +100,8 @@ pairs/material_b (pair) 1
 pairs/restitution (pair) 1
 pairs/static_friction (pair) 1
 pairs/kinetic_friction (pair) 1
+pairs/rolling_friction (pair) m
+pairs/spinning_friction (pair) m
 pairs/source (pair) 1
 provenance/scene () 1
 provenance/scene_resolved () 1
