@@ -123,9 +123,13 @@ def unmarked(annotation: Any) -> list[str]:
 
 
 def listed(parts: tuple[Any, ...]) -> str:
-    """A list of equal parts: how many, and what each is."""
-    each = " or ".join(values(parts[0], []))
-    return f"list, each {each}" if Ellipsis in parts else f"list of {len(parts)}, each {each}"
+    """A list: how many parts, and what each is."""
+    each = [" or ".join(values(part, [])) for part in parts if part is not Ellipsis]
+    if Ellipsis in parts:
+        return f"list, each {each[0]}"
+    if len(set(each)) == 1:
+        return f"list of {len(parts)}, each {each[0]}"
+    return f"list of {len(parts)}: {' and '.join(each)}"
 
 
 def plain(annotation: Any) -> str:

@@ -54,7 +54,7 @@ ENERGY_TERMS = (
     "total",
 )
 COORDINATE_FIELDS = ("coordinate", "coordinate_2", "coordinate_3")
-_NAMED: dict[str, dict[str, Described]] = {
+NAMED_FIELDS: dict[str, dict[str, Described]] = {
     "bodies": {
         "position": (kinds.LENGTH, _XYZ),
         "orientation": (kinds.NUMBER, _WXYZ),
@@ -78,7 +78,7 @@ _NAMED: dict[str, dict[str, Described]] = {
         "angular_violation": (kinds.ANGLE, ()),
     },
 }
-_FIELDS: dict[str, dict[str, Described]] = {
+SCENE_FIELDS: dict[str, dict[str, Described]] = {
     "energy": dict.fromkeys(ENERGY_TERMS, (kinds.ENERGY, ())),
     "momentum": {"linear": (kinds.LINEAR_MOMENTUM, _XYZ), "angular": (kinds.ANGULAR_MOMENTUM, _XYZ)},
     "contacts": {"count": (kinds.NUMBER, ())},
@@ -91,7 +91,7 @@ _FIELDS: dict[str, dict[str, Described]] = {
 _OWNER = {"bodies": "a body", "springs": "a spring", "joints": "a joint"}
 _PATTERNS = {
     group: re.compile(rf"(?P<name>.+)\.(?P<field>{'|'.join(fields)})(?:\.(?P<component>[^.]*))?\Z", re.DOTALL)
-    for group, fields in _NAMED.items()
+    for group, fields in NAMED_FIELDS.items()
 }
 
 
@@ -147,18 +147,18 @@ def parse_quantity(text: str, joint_types: Mapping[str, str] | None = None) -> Q
     group, _, rest = text.partition(".")
     if text == "time":
         return Quantity(text, "time", "time", kinds.TIME)
-    if group in _NAMED:
+    if group in NAMED_FIELDS:
         return _of_named(text, group, rest, joint_types or {})
-    if group in _FIELDS:
+    if group in SCENE_FIELDS:
         return _of_scene(text, group, rest)
-    known = ["time", *_NAMED, *_FIELDS]
+    known = ["time", *NAMED_FIELDS, *SCENE_FIELDS]
     raise QuantityError(
         "names no quantity", did_you_mean(group, known), f"one that begins with {', '.join(known)}"
     )
 
 
 def _of_named(text: str, group: str, rest: str, joint_types: Mapping[str, str]) -> Quantity:
-    known = _NAMED[group]
+    known = NAMED_FIELDS[group]
     match = _PATTERNS[group].match(rest)
     if not match:
         name, _, field = rest.rpartition(".")
@@ -183,7 +183,7 @@ def _coordinate_kind(joint_type: str | None, field: str) -> Kind:
 
 def _of_scene(text: str, group: str, rest: str) -> Quantity:
     field, dot, component = rest.partition(".")
-    known = _FIELDS[group]
+    known = SCENE_FIELDS[group]
     if field not in known:
         raise QuantityError(
             f"names no quantity of {group}", did_you_mean(field, known), f"{group}.({' | '.join(known)})"

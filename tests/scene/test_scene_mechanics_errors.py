@@ -540,6 +540,10 @@ EXPECT = {
         "expect[0].max: must be an angle, not a value in m, got 1 m "
         "(allowed: an angle in rad (or deg, turn))",
     ),
+    "what is not recorded": (
+        expect("»springs.s.length") + "record: {joints: false}\n",
+        "expect[0].quantity: is not recorded: record.joints is false",
+    ),
     "force as a vector": (
         expect("»joints.h.force"),
         "expect[0].quantity: names a vector, an expectation needs one number, got joints.h.force "

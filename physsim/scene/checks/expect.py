@@ -13,6 +13,7 @@ from physsim.scene.spec.simulation import ROUNDING
 from physsim.scene.suggest import did_you_mean
 
 Trouble = tuple[str, str | None]
+_RECORDED_BY = {"energy": "energy", "joints": "joints", "springs": "joints"}
 _OF_SPRING = {"length": "linear", "force": "linear", "angle": "torsional", "torque": "torsional"}
 
 
@@ -21,7 +22,7 @@ def check(draft: Draft) -> Iterator[Problem]:
     for i, entry in enumerate(draft.expect):
         if entry is None:
             continue
-        trouble = _trouble(entry.parsed, draft)
+        trouble = _trouble(entry.parsed, draft) or _not_recorded(entry.parsed, draft)
         if trouble:
             yield Problem(("expect", i, "quantity"), trouble[0], hint=trouble[1])
         yield from _moment(i, entry.at, draft)
@@ -57,6 +58,13 @@ def _of_joint(quantity: Quantity, joint: Any) -> Trouble | None:
     if quantity.field in has:
         return None
     return f"a {joint.type} joint has no {quantity.field}", f"it has {', '.join(has)}" if has else None
+
+
+def _not_recorded(quantity: Quantity, draft: Draft) -> Trouble | None:
+    switch = _RECORDED_BY.get(quantity.group)
+    if switch is None or draft.record is None or getattr(draft.record, switch):
+        return None
+    return f"is not recorded: record.{switch} is false", None
 
 
 def _moment(i: int, at: float | str, draft: Draft) -> Iterator[Problem]:

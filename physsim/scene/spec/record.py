@@ -18,5 +18,7 @@ class RecordSpec(Spec):
         examples=["10 ms"],
     )
     contacts: Switch = Field(default=True, description="Whether contacts are written; impacts always are.")
-    joints: Switch = Field(default=True, description="Whether joint forces and coordinates are written.")
+    joints: Switch = Field(
+        default=True, description="Whether forces and coordinates of joints and springs are written."
+    )
     energy: Switch = Field(default=True, description="Whether the energy ledger is written.")
