@@ -627,7 +627,7 @@ impl World {
         self.forces.readings(&self.bodies)
     }
 
-    /// Of every declared joint at this instant: force [N] and torque [N m] about its anchor, on body A.
+    /// Of every joint, stops included, at this instant: force [N] and torque [N m] about its anchor, on body A.
     pub fn joint_loads(&mut self) -> Vec<(DVec3, DVec3)> {
         let time = self.time();
         let system = (&self.forces, &self.joints, &mut self.articulation);
@@ -652,7 +652,7 @@ impl World {
             }
             load
         };
-        (0..self.joints.declared()).map(one).collect()
+        (0..self.joints.len()).map(one).collect()
     }
 
     /// All geoms.

@@ -104,16 +104,6 @@ impl Joints {
         self.joints.is_empty()
     }
 
-    /// Number of joints that somebody declared: the stops of springs come behind them.
-    #[must_use]
-    pub fn declared(&self) -> usize {
-        let stops = |joint: &Joint| joint.model.kind == Kind::Stops;
-        self.joints
-            .iter()
-            .position(stops)
-            .unwrap_or(self.joints.len())
-    }
-
     /// What joint `j` is.
     #[must_use]
     pub fn model(&self, j: usize) -> &JointModel {
@@ -298,6 +288,13 @@ impl Joints {
             }
         }
         (impulse, turning - mount.arm(bodies).cross(impulse))
+    }
+
+    /// Some joint breaks under too great a load.
+    #[must_use]
+    pub fn can_break(&self) -> bool {
+        let finite = |m: &JointModel| m.break_force.is_finite() || m.break_torque.is_finite();
+        self.joints.iter().any(|joint| finite(&joint.model))
     }
 
     /// Break every joint whose force [N] or torque [N m] about its anchor is more than it bears, and gears with their joints.

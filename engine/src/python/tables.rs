@@ -66,14 +66,9 @@ pub(super) fn joint_table<'py>(
     loads: &[(DVec3, DVec3)],
 ) -> PyResult<Bound<'py, PyDict>> {
     let (joints, bodies) = (world.joints(), world.all_bodies());
-    let declared = 0..loads.len();
-    let numbers = |f: &dyn Fn(usize) -> f64| {
-        declared
-            .clone()
-            .map(f)
-            .collect::<Vec<f64>>()
-            .into_pyarray(py)
-    };
+    let all = 0..loads.len();
+    let numbers =
+        |f: &dyn Fn(usize) -> f64| all.clone().map(f).collect::<Vec<f64>>().into_pyarray(py);
     let out = PyDict::new(py);
     out.set_item("force", table(py, loads.iter().map(|l| l.0.to_array()))?)?;
     out.set_item("torque", table(py, loads.iter().map(|l| l.1.to_array()))?)?;
@@ -89,7 +84,7 @@ pub(super) fn joint_table<'py>(
         "angular_violation",
         numbers(&|j| joints.violation(j, bodies).1),
     )?;
-    let broken = declared
+    let broken = all
         .map(|j| i32::from(joints.is_broken(j)))
         .collect::<Vec<i32>>();
     out.set_item("broken", broken.into_pyarray(py))?;
