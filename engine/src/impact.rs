@@ -106,6 +106,8 @@ pub struct Impacts {
     gained: Vec<f64>,
     elastic: Outcome,
     plastic: Outcome,
+    /// What the rows of the joints passed on in the impacts of this step [N s or N m s].
+    pub joint_impulses: Vec<f64>,
     /// The instant of the impacts on each assembly of joints.
     joint_instants: Vec<f64>,
     /// Work of the impulses of this step [J]: normal and tangential parts.
@@ -179,6 +181,9 @@ impl Impacts {
         self.kinks.clear();
         self.kinks.resize(scene.bodies.len(), Kink::default());
         self.work = (0.0, 0.0);
+        self.joint_impulses.clear();
+        self.joint_impulses
+            .resize(scene.articulation.all_rows().len(), 0.0);
         self.any = false;
         for generation in 0..GENERATIONS {
             self.find_hit(scene, rules);
@@ -339,15 +344,12 @@ impl Impacts {
     }
 
     fn apply_joints(&mut self, scene: &mut Scene) {
-        for (row, &x) in scene
-            .articulation
-            .all_rows()
-            .iter()
-            .zip(&self.elastic.joints)
-        {
+        let rows = scene.articulation.all_rows().iter();
+        for ((row, &x), sum) in rows.zip(&self.elastic.joints).zip(&mut self.joint_impulses) {
             if x == 0.0 {
                 continue;
             }
+            *sum += x;
             for end in row.ends() {
                 let home = scene.articulation.home(end.body);
                 let instant = home.map_or(0.0, |assembly| self.joint_instants[assembly]);

@@ -3,6 +3,7 @@
 use crate::body::{Body, State};
 use crate::math::rotation_vector;
 use crate::motion::Motion;
+use crate::mover::Twist;
 
 /// All prescribed motions of a world.
 #[derive(Clone, Debug, Default)]
@@ -45,6 +46,17 @@ impl Paths {
             (body.state.position, body.state.orientation) = motion.pose(start, time);
             (body.state.velocity, body.angular_velocity) = motion.velocity(start, time);
             body.refresh();
+        }
+    }
+
+    /// Their accelerations at a time, among those of all bodies.
+    pub fn accelerate(&self, accelerations: &mut [Twist], time: f64) {
+        for (motion, start) in self.motions.iter().zip(&self.starts) {
+            let (velocity, angular_velocity) = motion.acceleration(start, time);
+            accelerations[motion.body()] = Twist {
+                velocity,
+                angular_velocity,
+            };
         }
     }
 

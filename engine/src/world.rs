@@ -411,6 +411,8 @@ impl World {
             forces: &self.forces,
             joints: &self.joints,
             articulation: &mut self.articulation,
+            paths: &self.paths,
+            span: (time, h),
             held: &loads.held,
             beta: self.settings.baumgarte,
             baumgarte: self.settings.stabilization == Stabilization::Baumgarte,
@@ -419,9 +421,7 @@ impl World {
             reactions: &mut loads.reactions,
             scratch: &mut loads.scratch,
         };
-        self.settings
-            .integrator
-            .advance(&mut self.bodies, &mut d, time, h);
+        self.settings.integrator.advance(&mut self.bodies, &mut d);
         let (work, stabilization) = (d.work, d.stabilization);
         self.ledger.work_forces += work.forces;
         self.ledger.work_motors += work.motors;
@@ -461,8 +461,19 @@ impl World {
     /// What counts turns has seen another step.
     fn observe(&mut self) {
         self.joints.observe(&self.bodies);
+        if self.joints.can_break() {
+            self.break_joints();
+        }
         self.forces.observe(&self.bodies);
         self.paths.observe(self.time());
+    }
+
+    /// Joints that carry more than they bear let go. What their springs held is lost.
+    fn break_joints(&mut self) {
+        let loads = self.joint_loads();
+        let before = self.joints.spring_energy(&self.bodies);
+        self.joints.break_overloaded(&loads);
+        self.ledger.lost_impact += before - self.joints.spring_energy(&self.bodies);
     }
 
     /// Has anything blown up? Does everything rest?
@@ -633,14 +644,18 @@ impl World {
         let system = (&self.forces, &self.joints, &mut self.articulation);
         self.loads.solve_reactions(&self.bodies, system, time);
         let drives = self.articulation.drives();
+        let rows = self.articulation.rows();
+        let impacts = &self.impacts.joint_impulses;
+        let impulses = self.articulation.impulses().iter().enumerate();
+        // Like forces of contacts, an impact counts as a mean over its step.
+        let forces: Vec<f64> = impulses
+            .map(|(k, &x)| x + impacts.get(k).unwrap_or(&0.0) / self.settings.timestep)
+            .collect();
         let one = |j: usize| {
-            let rows = self.joints.rows_of(j);
-            let held = self.joints.reaction(
-                j,
-                &self.articulation.rows()[rows.clone()],
-                &self.articulation.impulses()[rows],
-                &self.bodies,
-            );
+            let own = self.joints.rows_of(j);
+            let held = self
+                .joints
+                .reaction(j, &rows[own.clone()], &forces[own], &self.bodies);
             let pulled = self.joints.pull_on(j, &self.bodies, time);
             let mut load = (held.0 + pulled.0, held.1 + pulled.1);
             let forces = drives.iter().zip(&self.loads.drive_forces);

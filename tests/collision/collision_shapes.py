@@ -9,6 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull
 
+from physsim.model import compile_scene
+from physsim.scene.loader import load_scene_text
+
 Floats = NDArray[np.float64]
 
 KINDS = ("sphere", "capsule", "box", "cylinder", "cone", "ellipsoid", "rod", "hull", "halfspace", "mesh")
@@ -68,6 +71,7 @@ def engine_input(things: Sequence[Thing], **settings: object) -> dict[str, objec
     upright = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
     made: dict[str, object] = {
         **_settings(),
+        **_nothing_else(),
         **_geometry(things),
         "fixed": np.array([thing.kind in ("halfspace", "mesh") for thing in things], dtype=np.int32),
         "mass": np.ones(count),
@@ -76,6 +80,8 @@ def engine_input(things: Sequence[Thing], **settings: object) -> dict[str, objec
         "orientation": upright,
         "velocity": zeros,
         "angular_velocity": zeros,
+        "surface_velocity": zeros,
+        "attracting_mass": np.ones(count),
         "geom_body": np.arange(count, dtype=np.int32),
         "geom_position": zeros,
         "geom_orientation": upright,
@@ -102,6 +108,12 @@ def _geometry(things: Sequence[Thing]) -> dict[str, object]:
     }
 
 
+def _nothing_else() -> dict[str, object]:
+    """Springs, joints, forces and motions of a scene that has none."""
+    scene = load_scene_text("physsim: 1\nsimulation: {duration: 1, timestep: 1}\nbodies: {}\n")
+    return compile_scene(scene).mechanics.engine_input()
+
+
 def _settings() -> dict[str, object]:
     return {
         "gravity": np.array([0.0, 0.0, -9.81]),
@@ -120,6 +132,8 @@ def _settings() -> dict[str, object]:
         "restitution": np.zeros((1, 1)),
         "static_friction": np.zeros((1, 1)),
         "kinetic_friction": np.zeros((1, 1)),
+        "rolling_friction": np.zeros((1, 1)),
+        "spinning_friction": np.zeros((1, 1)),
         "no_contact": np.zeros((0, 2), dtype=np.int32),
     }
 

@@ -5,8 +5,12 @@ use crate::body::Body;
 use crate::force::{Forces, Powers, Wrench};
 use crate::joint::{Joints, Row};
 use crate::mover::Twist;
+use crate::paths::Paths;
 
 use super::runge_kutta::Stage;
+
+/// What is seen from inside a step is this part of it away from its ends.
+const INSIDE: f64 = 1e-9;
 
 /// Working memory of the integrators.
 #[derive(Clone, Debug, Default)]
@@ -26,6 +30,10 @@ pub struct Dynamics<'a> {
     pub forces: &'a Forces,
     /// Joints: their springs, dampers and servos, and the geometry of their rows.
     pub joints: &'a Joints,
+    /// Fixed bodies that move as prescribed.
+    pub paths: &'a Paths,
+    /// Start of the step [s] and its length [s].
+    pub span: (f64, f64),
     /// The linear system of the joints.
     pub articulation: &'a mut Articulation,
     /// Of contacts and drives, constant over the step.
@@ -45,14 +53,26 @@ pub struct Dynamics<'a> {
 }
 
 impl Dynamics<'_> {
-    /// Fill `scratch.wrenches` with all that acts but the bilateral joints.
-    pub(super) fn evaluate(&mut self, bodies: &[Body], time: f64) -> Powers {
+    /// Fill `scratch.wrenches` with all that acts but the bilateral joints, when a part `node` of the step has passed. Both
+    /// ends of the step are seen from inside, so that a force that begins or ends there acts in whole steps.
+    pub(super) fn evaluate(&mut self, bodies: &mut [Body], node: f64) -> Powers {
+        self.place_prescribed(bodies, node);
+        let time = self.time_at(node.clamp(INSIDE, 1.0 - INSIDE));
         let wrenches = &mut self.scratch.wrenches;
         wrenches.clear();
         wrenches.extend_from_slice(self.held);
         let a = self.forces.evaluate(bodies, time, wrenches);
         let b = self.joints.add_forces(bodies, time, wrenches);
         a + b
+    }
+
+    /// Fixed bodies on a path are where they belong after a part of the step.
+    pub(super) fn place_prescribed(&self, bodies: &mut [Body], node: f64) {
+        self.paths.arrive(bodies, self.time_at(node));
+    }
+
+    fn time_at(&self, node: f64) -> f64 {
+        self.span.0 + node * self.span.1
     }
 
     /// Velocities take in the wrenches over a time.
@@ -63,15 +83,17 @@ impl Dynamics<'_> {
     }
 
     /// Add the joint forces to `scratch.wrenches`: those with which J a + bias = 0, or what Baumgarte makes of it.
-    pub(super) fn add_joint_forces(&mut self, bodies: &[Body], h: f64) {
+    pub(super) fn add_joint_forces(&mut self, bodies: &[Body], node: f64) {
         if self.articulation.is_empty() {
             return;
         }
+        let h = self.span.1;
         self.articulation.load_bilateral(self.joints, bodies);
         let pull = if self.baumgarte { self.beta / h } else { 0.0 };
         let asked = |row: &Row| -row.bias - pull * (2.0 * row.rate(bodies) + pull * row.value);
         let accelerations = &mut self.scratch.twists;
         free_accelerations(bodies, &self.scratch.wrenches, accelerations);
+        self.paths.accelerate(accelerations, self.span.0 + node * h);
         self.articulation.hold(asked, accelerations);
         self.articulation.add_forces(&mut self.scratch.wrenches);
     }

@@ -20,7 +20,8 @@ impl Dynamics<'_> {
     /// Solved by Newton's method with the matrix J M^-1 J^T at x. What is left of an error at the start (`beta` of it goes
     /// each step) is taken back by moving positions afterwards, so that it never becomes a velocity. With Baumgarte the
     /// velocity is made to obey J v = -(beta / h) C instead, which leaves an error of about v^2 h^2 / (2 beta L).
-    pub(super) fn drift(&mut self, bodies: &mut [Body], h: f64, splitting: Splitting) {
+    pub(super) fn drift(&mut self, bodies: &mut [Body], splitting: Splitting) {
+        let h = self.span.1;
         if self.articulation.is_empty() {
             bodies.iter_mut().for_each(|b| free_drift(b, h, splitting));
             return;
@@ -31,11 +32,12 @@ impl Dynamics<'_> {
         wanted.clear();
         wanted.extend(self.articulation.rows().iter().map(|r| r.value));
         if self.baumgarte {
-            self.project_loaded_velocities(bodies, h);
+            self.project_loaded_velocities(bodies);
             self.note_reactions(1.0);
             bodies.iter_mut().for_each(|b| free_drift(b, h, splitting));
+            self.place_prescribed(bodies, 1.0);
         } else {
-            self.held_drift(bodies, h, splitting, &wanted);
+            self.held_drift(bodies, splitting, &wanted);
             self.note_reactions(1.0);
             wanted.iter_mut().for_each(|c| *c *= 1.0 - self.beta);
             self.restore_positions(bodies, &wanted);
@@ -43,7 +45,8 @@ impl Dynamics<'_> {
         self.scratch.values = wanted;
     }
 
-    fn held_drift(&mut self, bodies: &mut [Body], h: f64, splitting: Splitting, wanted: &[f64]) {
+    fn held_drift(&mut self, bodies: &mut [Body], splitting: Splitting, wanted: &[f64]) {
+        let h = self.span.1;
         let mut starts = std::mem::take(&mut self.scratch.states);
         starts.clear();
         starts.extend(bodies.iter().map(|b| b.state));
@@ -55,6 +58,7 @@ impl Dynamics<'_> {
                     free_drift(body, h, splitting);
                 }
             }
+            self.place_prescribed(bodies, 1.0);
             self.joints.values(bodies, &mut missing);
             let mut worst = 0.0_f64;
             for (value, want) in missing.iter_mut().zip(wanted) {
@@ -80,17 +84,21 @@ impl Dynamics<'_> {
     }
 
     /// Velocities obey the joints: J v = 0; with Baumgarte J v = -(beta / h) C.
-    pub(super) fn project_velocities(&mut self, bodies: &mut [Body], h: f64) {
+    pub(super) fn project_velocities(&mut self, bodies: &mut [Body]) {
         if self.articulation.is_empty() {
             return;
         }
         self.articulation.load_bilateral(self.joints, bodies);
         self.articulation.clear_impulses();
-        self.project_loaded_velocities(bodies, h);
+        self.project_loaded_velocities(bodies);
     }
 
-    fn project_loaded_velocities(&mut self, bodies: &mut [Body], h: f64) {
-        let pull = if self.baumgarte { self.beta / h } else { 0.0 };
+    fn project_loaded_velocities(&mut self, bodies: &mut [Body]) {
+        let pull = if self.baumgarte {
+            self.beta / self.span.1
+        } else {
+            0.0
+        };
         let mut missing = std::mem::take(&mut self.scratch.missing);
         missing.clear();
         missing.extend(

@@ -47,20 +47,20 @@ impl Integrator {
         }
     }
 
-    /// Move all bodies from `time` by `h`.
+    /// Move all bodies over the span of `d`.
     ///
     /// Stoermer-Verlet, velocity Verlet and leapfrog are one and the same map written in three ways, also with forces
     /// that depend on the velocity, once all their quantities are brought to whole steps (Hairer, Lubich & Wanner 2003,
     /// "Geometric numerical integration illustrated by the Stoermer-Verlet method", section 1): a kick of half a step, a
     /// drift, a kick of half a step. They run the same code here and give the same numbers.
-    pub fn advance(self, bodies: &mut [Body], d: &mut Dynamics, time: f64, h: f64) {
+    pub fn advance(self, bodies: &mut [Body], d: &mut Dynamics) {
         match self {
-            Self::ExplicitEuler => runge_kutta::EULER.advance(bodies, d, time, h),
-            Self::SemiImplicitEuler => symplectic::euler(bodies, d, time, h),
+            Self::ExplicitEuler => runge_kutta::EULER.advance(bodies, d),
+            Self::SemiImplicitEuler => symplectic::euler(bodies, d),
             Self::Verlet | Self::VelocityVerlet | Self::Leapfrog => {
-                symplectic::kick_drift_kick(bodies, d, time, h);
+                symplectic::kick_drift_kick(bodies, d);
             }
-            Self::Rk4 => runge_kutta::CLASSICAL.advance(bodies, d, time, h),
+            Self::Rk4 => runge_kutta::CLASSICAL.advance(bodies, d),
         }
     }
 }

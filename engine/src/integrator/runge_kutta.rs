@@ -84,7 +84,8 @@ fn advanced(start: &State, rates: &Rates, t: f64) -> State {
 }
 
 impl Scheme {
-    pub(super) fn advance(&self, bodies: &mut [Body], d: &mut Dynamics, time: f64, h: f64) {
+    pub(super) fn advance(&self, bodies: &mut [Body], d: &mut Dynamics) {
+        let h = d.span.1;
         let mut stages = std::mem::take(&mut d.scratch.stages);
         stages.clear();
         stages.extend(bodies.iter().map(|b| Stage {
@@ -95,7 +96,7 @@ impl Scheme {
         }));
         let wanted = held_values(bodies, d);
         for (&node, &weight) in self.nodes.iter().zip(self.weights) {
-            let powers = stage(bodies, d, &mut stages, (time, h), node);
+            let powers = stage(bodies, d, &mut stages, node);
             d.book(powers, weight * h);
             d.note_reactions(weight * h);
             for s in &mut stages {
@@ -111,7 +112,8 @@ impl Scheme {
             body.refresh();
         }
         d.scratch.stages = stages;
-        settle(bodies, d, h, wanted);
+        d.place_prescribed(bodies, 1.0);
+        settle(bodies, d, wanted);
     }
 }
 
@@ -124,12 +126,12 @@ fn held_values(bodies: &[Body], d: &mut Dynamics) -> Vec<f64> {
 }
 
 /// Positions and velocities back onto the joints.
-fn settle(bodies: &mut [Body], d: &mut Dynamics, h: f64, wanted: Vec<f64>) {
+fn settle(bodies: &mut [Body], d: &mut Dynamics, wanted: Vec<f64>) {
     if !d.baumgarte && !d.articulation.is_empty() {
         d.articulation.load_bilateral(d.joints, bodies);
         d.restore_positions(bodies, &wanted);
         let before = kinetic(bodies);
-        d.project_velocities(bodies, h);
+        d.project_velocities(bodies);
         d.note_reactions(1.0);
         d.stabilization += kinetic(bodies) - before;
     }
@@ -144,13 +146,8 @@ fn kinetic(bodies: &[Body]) -> f64 {
 }
 
 /// Rates at a node of the step, from the rates of the stage before.
-fn stage(
-    bodies: &mut [Body],
-    d: &mut Dynamics,
-    stages: &mut [Stage],
-    (time, h): (f64, f64),
-    node: f64,
-) -> Powers {
+fn stage(bodies: &mut [Body], d: &mut Dynamics, stages: &mut [Stage], node: f64) -> Powers {
+    let h = d.span.1;
     for (body, s) in bodies
         .iter_mut()
         .zip(stages.iter_mut())
@@ -160,8 +157,8 @@ fn stage(
         s.orientation = body.state.orientation;
         body.refresh();
     }
-    let powers = d.evaluate(bodies, time + node * h);
-    d.add_joint_forces(bodies, h);
+    let powers = d.evaluate(bodies, node);
+    d.add_joint_forces(bodies, node);
     for (k, s) in stages
         .iter_mut()
         .enumerate()

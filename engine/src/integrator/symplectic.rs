@@ -11,38 +11,40 @@ const ROUNDS: usize = 25;
 const CONVERGED: f64 = 1e-15;
 
 /// v += a(x, v) dt, then x += v dt.
-pub(super) fn euler(bodies: &mut [Body], d: &mut Dynamics, time: f64, h: f64) {
-    let start = d.evaluate(bodies, time);
+pub(super) fn euler(bodies: &mut [Body], d: &mut Dynamics) {
+    let h = d.span.1;
+    let start = d.evaluate(bodies, 0.0);
     d.kick(bodies, h);
-    d.drift(bodies, h, LIE_TROTTER);
+    d.drift(bodies, LIE_TROTTER);
     if !d.baumgarte {
-        d.project_velocities(bodies, h);
+        d.project_velocities(bodies);
         d.note_reactions(1.0);
     }
-    let end = d.evaluate(bodies, time + h);
+    let end = d.evaluate(bodies, 1.0);
     d.book((start + end) * 0.5, h);
 }
 
 /// v += a(x, v) dt/2, x += v dt, v' = v + a(x', v') dt/2. The first kick takes the velocity before it and the second the
 /// one after it, so the map is its own adjoint and of second order with velocity-dependent forces, too.
-pub(super) fn kick_drift_kick(bodies: &mut [Body], d: &mut Dynamics, time: f64, h: f64) {
-    let start = d.evaluate(bodies, time);
+pub(super) fn kick_drift_kick(bodies: &mut [Body], d: &mut Dynamics) {
+    let h = d.span.1;
+    let start = d.evaluate(bodies, 0.0);
     d.kick(bodies, 0.5 * h);
-    d.drift(bodies, h, NO_SQUISH);
-    let end = closing_kick(bodies, d, time + h, 0.5 * h);
+    d.drift(bodies, NO_SQUISH);
+    let end = closing_kick(bodies, d, 0.5 * h);
     d.note_reactions(1.0);
     d.book((start + end) * 0.5, h);
 }
 
 /// The kick over `h` that ends a step, by fixed-point iteration where forces depend on the velocity that it leads to.
-fn closing_kick(bodies: &mut [Body], d: &mut Dynamics, time: f64, h: f64) -> Powers {
+fn closing_kick(bodies: &mut [Body], d: &mut Dynamics, h: f64) -> Powers {
     let rounds = if d.depends_on_velocity() { ROUNDS } else { 1 };
     let mut before = std::mem::take(&mut d.scratch.states);
     before.clear();
     before.extend(bodies.iter().map(|b| b.state));
     let mut powers = Powers::default();
     for _ in 0..rounds {
-        powers = d.evaluate(bodies, time);
+        powers = d.evaluate(bodies, 1.0);
         d.scratch.twists.clear();
         d.scratch.twists.extend(bodies.iter().map(Body::twist));
         for (body, start) in bodies
@@ -55,7 +57,7 @@ fn closing_kick(bodies: &mut [Body], d: &mut Dynamics, time: f64, h: f64) -> Pow
             body.derive();
         }
         d.kick(bodies, h);
-        d.project_velocities(bodies, 2.0 * h);
+        d.project_velocities(bodies);
         if converged(bodies, d) {
             break;
         }

@@ -179,7 +179,7 @@ impl PyWorld {
             ("stabilization", e.ledger.stabilization),
             ("residual", e.residual()),
         ] {
-            out.set_item(name, value)?;
+            out.set_item(name, value + 0.0)?; // the sum of nothing is -0
         }
         Ok(out)
     }
