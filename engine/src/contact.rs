@@ -8,6 +8,7 @@ use crate::math::{length, tangents};
 use crate::model::{Coefficients, Geom};
 use crate::mover::{velocity_of, Moving};
 use crate::narrowphase::ContactPoint;
+use crate::roll::Roll;
 
 /// Friction of a contact in the solve at hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,6 +62,8 @@ pub struct Contact {
     pub impulse: DVec3,
     /// Impulse of this step's impacts, in world axes [N s].
     pub impact_impulse: DVec3,
+    /// Rolling and spinning friction, where the materials have any.
+    pub roll: Option<Box<Roll>>,
     /// Relative velocity at the start of the step [m/s].
     pub velocity_before: DVec3,
     /// Relative velocity at the end of the step [m/s].
@@ -97,7 +100,8 @@ impl Contact {
         let (a, b) = (&bodies[indices.0], &bodies[indices.1]);
         let arms = (point.position - centres.0, point.position - centres.1);
         let k_n = response(a, b, arms, point.normal);
-        let (tangent_1, tangent_2, k_tangent) = principal_tangents(a, b, arms, point.normal);
+        let (tangent_1, tangent_2, k_tangent) =
+            principal_tangents(point.normal, |d| response(a, b, arms, d));
         let belt = a.rotation * a.surface_velocity - b.rotation * b.surface_velocity;
         let surface = DVec3::new(0.0, belt.dot(tangent_1), belt.dot(tangent_2));
         Self {
@@ -121,6 +125,7 @@ impl Contact {
             target: 0.0,
             impulse: DVec3::ZERO,
             impact_impulse: DVec3::ZERO,
+            roll: Roll::new(&coefficients, a, b, point.normal),
             velocity_before: relative_velocity(bodies, indices, arms)
                 + tangent_1 * surface.y
                 + tangent_2 * surface.z,
@@ -154,6 +159,41 @@ impl Contact {
     /// The same while impulses are still being found.
     pub(crate) fn velocity_among(&self, moving: &[impl Moving]) -> DVec3 {
         velocity_of(moving, self) + self.surface
+    }
+
+    /// Relative angular velocity omega_A - omega_B now, in world axes [rad/s].
+    #[must_use]
+    pub fn turning(&self, bodies: &[Body]) -> DVec3 {
+        bodies[self.bodies.0].angular_velocity - bodies[self.bodies.1].angular_velocity
+    }
+
+    /// The part of it that fixed bodies on a path have [rad/s].
+    #[must_use]
+    pub fn driven_turning(&self, bodies: &[Body]) -> DVec3 {
+        let of = |body: &Body| {
+            if body.is_fixed() {
+                body.angular_velocity
+            } else {
+                DVec3::ZERO
+            }
+        };
+        of(&bodies[self.bodies.0]) - of(&bodies[self.bodies.1])
+    }
+
+    /// Angular impulse of the solve at hand, in world axes [N m s].
+    #[must_use]
+    pub fn turn(&self) -> DVec3 {
+        self.roll
+            .as_ref()
+            .map_or(DVec3::ZERO, |roll| roll.to_world(roll.impulse))
+    }
+
+    /// No impulses yet in the solve at hand.
+    pub fn clear_impulse(&mut self) {
+        self.impulse = DVec3::ZERO;
+        if let Some(roll) = &mut self.roll {
+            roll.impulse = DVec3::ZERO;
+        }
     }
 
     /// The part of the relative velocity that is driven from outside, by conveyors and by fixed bodies on a path [m/s].
@@ -222,15 +262,14 @@ impl Contact {
     }
 }
 
-/// Tangents that diagonalise the tangential part of K, so that the friction disc can be solved in closed form.
-fn principal_tangents(
-    a: &Body,
-    b: &Body,
-    arms: (DVec3, DVec3),
+/// Tangents that diagonalise the tangential part of K, so that the friction disc can be solved in closed form; `k`
+/// gives K d.
+pub(crate) fn principal_tangents(
     normal: DVec3,
+    k: impl Fn(DVec3) -> DVec3,
 ) -> (DVec3, DVec3, (f64, f64)) {
     let (u, w) = tangents(normal);
-    let (ku, kw) = (response(a, b, arms, u), response(a, b, arms, w));
+    let (ku, kw) = (k(u), k(w));
     let (uu, uw, ww) = (ku.dot(u), ku.dot(w), kw.dot(w));
     let half = 0.5 * (uu - ww);
     let radius = (half * half + uw * uw).sqrt();
@@ -248,12 +287,13 @@ fn principal_tangents(
     (e, normal.cross(e), (middle + radius, middle - radius))
 }
 
-/// What a contact leaves to the next step: where it was on body A, and its impulse.
+/// What a contact leaves to the next step: where it was on body A, and its impulses.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Remembered {
     geoms: (u32, u32),
     place: DVec3,
     impulse: DVec3,
+    turn: Option<DVec3>,
 }
 
 /// Contacts of the last step, for the warm start. Sorted by geoms, as contacts are.
@@ -270,6 +310,7 @@ impl Memory {
             geoms: c.geoms,
             place: bodies[c.bodies.0].rotation.transpose() * c.arms.0,
             impulse: c.to_world(c.impulse),
+            turn: c.roll.as_ref().map(|roll| roll.to_world(roll.impulse)),
         }));
     }
 
@@ -300,6 +341,9 @@ impl Memory {
             if let Some(point) = self.points.get_mut(best.1) {
                 contact.impulse = contact.to_local(point.impulse);
                 contact.impulse.x = contact.impulse.x.max(0.0);
+                if let (Some(roll), Some(turn)) = (&mut contact.roll, point.turn) {
+                    roll.impulse = roll.to_local(turn);
+                }
                 point.place = DVec3::INFINITY;
             }
         }

@@ -102,6 +102,8 @@ pub struct Impacts {
     hit: Vec<usize>,
     /// Relative velocities of the hit contacts at their instants, before the impulses.
     before: Vec<DVec3>,
+    /// Relative angular velocities of the hit contacts before the impulses, in world axes [rad/s].
+    turning: Vec<DVec3>,
     /// From the carried velocity to the one at the instant, of each hit contact.
     gained: Vec<f64>,
     elastic: Outcome,
@@ -127,6 +129,10 @@ struct Outcome {
     impulses: Vec<DVec3>,
     /// Relative velocity of each hit contact afterwards, as the integrator carries it [m/s].
     after: Vec<DVec3>,
+    /// Angular impulse of each hit contact, in world axes [N m s].
+    turns: Vec<DVec3>,
+    /// Relative angular velocity of each hit contact afterwards, in world axes [rad/s].
+    turning: Vec<DVec3>,
     /// Of each row of the joints.
     joints: Vec<f64>,
 }
@@ -145,17 +151,26 @@ impl Outcome {
         self.after.clear();
         self.after
             .extend(hit.iter().map(|&k| solver.velocity(&contacts[k])));
+        self.turns.clear();
+        self.turns.extend(hit.iter().map(|&k| contacts[k].turn()));
+        self.turning.clear();
+        self.turning
+            .extend(hit.iter().map(|&k| solver.turning(&contacts[k])));
         self.joints.clear();
         self.joints.extend_from_slice(joints.impulses());
     }
 
     /// The part `s` of the way to another outcome.
     fn blend(&mut self, other: &Self, s: f64) {
-        for (a, b) in self.impulses.iter_mut().zip(&other.impulses) {
-            *a = a.lerp(*b, s);
-        }
-        for (a, b) in self.after.iter_mut().zip(&other.after) {
-            *a = a.lerp(*b, s);
+        for (own, others) in [
+            (&mut self.impulses, &other.impulses),
+            (&mut self.after, &other.after),
+            (&mut self.turns, &other.turns),
+            (&mut self.turning, &other.turning),
+        ] {
+            for (a, b) in own.iter_mut().zip(others) {
+                *a = a.lerp(*b, s);
+            }
         }
         for (a, b) in self.joints.iter_mut().zip(&other.joints) {
             *a += s * (b - *a);
@@ -231,6 +246,7 @@ impl Impacts {
     /// Newton's rule for all contacts of this generation together.
     fn reflect(&mut self, scene: &mut Scene, rules: &Rules) {
         self.before.clear();
+        self.turning.clear();
         self.gained.clear();
         let mut fastest = 0.0_f64;
         for &k in &self.hit {
@@ -241,6 +257,7 @@ impl Impacts {
             c.target = reflected(u.x, gained, c, scene.accelerations, rules);
             fastest = fastest.max(u.length());
             self.before.push(u + DVec3::X * gained);
+            self.turning.push(c.turning(scene.bodies));
             self.gained.push(gained);
         }
         // Relative to the fastest: impacts are few, and what they do lasts.
@@ -257,7 +274,7 @@ impl Impacts {
 
     fn solve(&mut self, scene: &mut Scene, limits: Limits) {
         for &k in &self.hit {
-            scene.contacts[k].impulse = DVec3::ZERO;
+            scene.contacts[k].clear_impulse();
         }
         // Joints keep the rates that they have; of the drives only a limit can push without bound.
         let bodies = &*scene.bodies;
@@ -312,6 +329,8 @@ impl Impacts {
         for (slot, p) in pushing.impulses.iter().enumerate() {
             let after = moving.after[slot] + DVec3::X * self.gained[slot];
             sum += 0.5 * p.dot(self.before[slot] + after);
+            let turning = self.turning[slot] + moving.turning[slot];
+            sum += 0.5 * pushing.turns[slot].dot(turning);
         }
         sum
     }
@@ -320,18 +339,24 @@ impl Impacts {
     fn apply(&mut self, scene: &mut Scene, rules: &Rules) {
         self.joint_instants.clear();
         self.joint_instants.resize(scene.articulation.len(), 0.0);
-        for (&k, &impulse) in self.hit.iter().zip(&self.elastic.impulses) {
+        let impulses = self.elastic.impulses.iter().zip(&self.elastic.turns);
+        for (&k, (&impulse, &q)) in self.hit.iter().zip(impulses) {
             let c = &mut scene.contacts[k];
             c.impulse = impulse;
             let p = c.to_world(impulse);
             c.impact_impulse += p;
+            if let Some(roll) = &mut c.roll {
+                roll.impact_impulse += q;
+            }
             let instant = self.instants[k];
-            for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
+            for (body, impulse, arm, turn) in
+                [(c.bodies.0, p, c.arms.0, q), (c.bodies.1, -p, c.arms.1, -q)]
+            {
                 let kink = &mut self.kinks[body];
                 kink.bend(
                     &mut scene.bodies[body],
                     impulse,
-                    arm.cross(impulse),
+                    arm.cross(impulse) + turn,
                     instant,
                 );
                 if let Some(assembly) = scene.articulation.home(body) {
@@ -367,6 +392,8 @@ impl Impacts {
             let mean = 0.5 * (before + after);
             self.work.0 += c.impulse.x * mean.x;
             self.work.1 += c.impulse.y * mean.y + c.impulse.z * mean.z;
+            let turning = 0.5 * (self.turning[slot] + self.elastic.turning[slot]);
+            self.work.1 += self.elastic.turns[slot].dot(turning);
             if c.impulse.x <= 0.0 {
                 continue;
             }

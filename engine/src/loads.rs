@@ -72,13 +72,13 @@ impl Loads {
     pub fn hold(&mut self, contacts: &[Contact], articulation: &Articulation, h: f64) {
         self.held.fill(Wrench::default());
         for c in contacts.iter().filter(|c| c.impulse != DVec3::ZERO) {
-            let force = c.to_world(c.impulse) / h;
-            for (body, f, arm) in [
-                (c.bodies.0, force, c.arms.0),
-                (c.bodies.1, -force, c.arms.1),
+            let (force, torque) = (c.to_world(c.impulse) / h, c.turn() / h);
+            for (body, f, arm, t) in [
+                (c.bodies.0, force, c.arms.0, torque),
+                (c.bodies.1, -force, c.arms.1, -torque),
             ] {
                 self.held[body].force += f;
-                self.held[body].torque += arm.cross(f);
+                self.held[body].torque += arm.cross(f) + t;
             }
         }
         self.drive_forces.clear();

@@ -78,6 +78,10 @@ pub struct Coefficients {
     pub static_friction: f64,
     /// mu_k
     pub kinetic_friction: f64,
+    /// Greatest torque against rolling per normal force [m].
+    pub rolling_friction: f64,
+    /// Greatest torque against spinning about the normal per normal force [m].
+    pub spinning_friction: f64,
 }
 
 /// The resolved matrix of materials.

@@ -87,6 +87,11 @@ impl Mover {
         }
     }
 
+    /// Angular impulse `q`.
+    pub(crate) fn turn(&mut self, q: DVec3) {
+        self.twist.angular_velocity += self.inverse_inertia * q;
+    }
+
     /// Impulse `p` at the arm `r`.
     pub(crate) fn push(&mut self, p: DVec3, r: DVec3) {
         let change = self.response(p, r);
@@ -99,4 +104,10 @@ impl Mover {
 pub(crate) fn velocity_of(movers: &[impl Moving], c: &Contact) -> DVec3 {
     let (a, b) = (movers[c.bodies.0].twist(), movers[c.bodies.1].twist());
     c.to_local(a.at(c.arms.0) - b.at(c.arms.1))
+}
+
+/// omega_A - omega_B, world axes [rad/s].
+pub(crate) fn turning_of(movers: &[impl Moving], c: &Contact) -> DVec3 {
+    let (a, b) = (movers[c.bodies.0].twist(), movers[c.bodies.1].twist());
+    a.angular_velocity - b.angular_velocity
 }

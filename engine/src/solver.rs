@@ -8,6 +8,9 @@
 //! friction  |p_t| <= mu p_n;  u_t = 0 inside the disc;  p_t = -mu p_n u_t / |u_t| on its rim   (Coulomb)
 //! ```
 //!
+//! Contacts with rolling and spinning friction have three more of the same kind (see `roll.rs`), which follow after
+//! friction.
+//!
 //! A sweep solves one contact after the other exactly, with the others held (projected Gauss-Seidel). Sweeps find out
 //! quickly which contacts carry, which stick and which slide, but pass loads on slowly: for a light body under a heavy
 //! one the error falls by 1 / (1 + m/M) a sweep. So after a few sweeps the contacts that carry are solved together as
@@ -23,10 +26,12 @@ use glam::DVec3;
 use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::contact::{Contact, Friction};
+use crate::disc::friction_in_disc;
 use crate::islands::{Island, Islands};
 use crate::joint::Row;
 use crate::math::length;
-use crate::mover::{Mover, Part, Twist};
+use crate::mover::{turning_of, Mover, Part, Twist};
+use crate::roll::Roll;
 use crate::subspace::Subspace;
 
 /// Sweeps between two linear solves.
@@ -120,7 +125,9 @@ impl Solver {
         limits: Limits,
     ) -> Report {
         for &k in which {
-            push(&mut self.movers, &contacts[k], contacts[k].impulse);
+            let c = &contacts[k];
+            push(&mut self.movers, c, c.impulse);
+            turn(&mut self.movers, c, c.turn());
         }
         self.residuals.clear();
         self.residuals.resize(self.movers.len(), 0.0);
@@ -171,6 +178,12 @@ impl Solver {
     #[must_use]
     pub fn velocity(&self, c: &Contact) -> DVec3 {
         c.velocity_among(&self.movers)
+    }
+
+    /// Relative angular velocity of a contact after the solve, in world axes [rad/s].
+    #[must_use]
+    pub fn turning(&self, c: &Contact) -> DVec3 {
+        turning_of(&self.movers, c)
     }
 
     /// dC/dt of a row after the solve.
@@ -265,6 +278,15 @@ impl Solver {
             system.contacts[k].impulse = new;
             push(system.movers, &system.contacts[k], new - old);
         }
+        if part == Part::All {
+            for (slot, step) in self.subspace.turns() {
+                let c = &mut system.contacts[system.island.contacts[slot]];
+                let normal = c.impulse.x;
+                set_turn(system.movers, c, |roll| {
+                    roll.in_bounds(roll.impulse + step, normal)
+                });
+            }
+        }
         system.hold_joints();
         passes
     }
@@ -278,18 +300,27 @@ impl System<'_> {
         }
     }
 
+    /// Those of all contacts, then the angular ones of those that have any.
     fn impulses(&self) -> impl Iterator<Item = DVec3> + '_ {
-        self.island
-            .contacts
-            .iter()
-            .map(|&k| self.contacts[k].impulse)
+        let contacts = || self.island.contacts.iter().map(|&k| &self.contacts[k]);
+        let rolls = contacts().filter_map(|c| c.roll.as_ref());
+        contacts()
+            .map(|c| c.impulse)
+            .chain(rolls.map(|roll| roll.impulse))
     }
 
     fn set_impulses(&mut self, impulses: &[DVec3]) {
-        for (&k, &new) in self.island.contacts.iter().zip(impulses) {
+        let (pushes, turns) = impulses.split_at(self.island.contacts.len());
+        for (&k, &new) in self.island.contacts.iter().zip(pushes) {
             let change = new - self.contacts[k].impulse;
             self.contacts[k].impulse = new;
             push(self.movers, &self.contacts[k], change);
+        }
+        let mut turns = turns.iter();
+        for &k in &self.island.contacts {
+            set_turn(self.movers, &mut self.contacts[k], |roll| {
+                turns.next().copied().unwrap_or(roll.impulse)
+            });
         }
         self.hold_joints();
     }
@@ -310,6 +341,9 @@ impl System<'_> {
             solve_contact(self.movers, contact, part);
             let change = (contact.impulse - old) * contact.stiffness();
             worst = worst.max(change.abs().max_element());
+            if part == Part::All {
+                worst = worst.max(solve_roll(self.movers, contact));
+            }
         }
         self.hold_joints();
         worst
@@ -361,52 +395,31 @@ fn push(movers: &mut [Mover], c: &Contact, impulse: DVec3) {
     movers[c.bodies.1].push(-p, c.arms.1);
 }
 
-/// The tangential impulse that stops the slip, or the one on the rim of the disc that opposes the slip that is left.
-///
-/// With K = diag(k) and b the slip without friction: p = -K^-1 b where |p| <= radius; else slip and impulse are
-/// antiparallel, K p + b = -s p with s > 0 and |p| = radius, so p_i = -b_i / (k_i + s). The secular equation
-/// |p(s)| = radius is solved by Newton on 1/|p|, which is nearly linear in s (More & Sorensen 1983).
-fn friction_in_disc(b: (f64, f64), k: (f64, f64), radius: f64) -> (f64, f64) {
-    let stop = (-b.0 / k.0, -b.1 / k.1);
-    if stop.0 * stop.0 + stop.1 * stop.1 <= radius * radius {
-        return stop;
+/// The exact answer of the rolling and spinning friction of a contact, all else held; returns the change as a speed.
+fn solve_roll(movers: &mut [Mover], c: &mut Contact) -> f64 {
+    if c.roll.is_none() {
+        return 0.0;
     }
-    if radius <= 0.0 {
-        return (0.0, 0.0);
-    }
-    let mut s = (length(b.0, b.1) / radius - k.0.max(k.1)).max(0.0);
-    for _ in 0..20 {
-        let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
-        let size = length(p.0, p.1);
-        let slope = -(p.0 * p.0 / (k.0 + s) + p.1 * p.1 / (k.1 + s)) / size;
-        let move_by = (size - radius) / radius * size / slope;
-        s -= move_by;
-        if move_by.abs() <= 1e-14 * (k.0 + s) {
-            break;
-        }
-    }
-    let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
-    let scale = radius / length(p.0, p.1);
-    (p.0 * scale, p.1 * scale)
+    let (w, normal) = (turning_of(movers, c), c.impulse.x);
+    set_turn(movers, c, |roll| roll.answer(roll.to_local(w), normal))
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Change the angular impulse of a contact that has any; returns the change as a speed.
+fn set_turn(movers: &mut [Mover], c: &mut Contact, new: impl FnOnce(&Roll) -> DVec3) -> f64 {
+    let Some(roll) = &mut c.roll else {
+        return 0.0;
+    };
+    let new = new(roll);
+    let change = new - roll.impulse;
+    roll.impulse = new;
+    let (q, speed) = (roll.to_world(change), roll.speed_of(change, c.k_normal));
+    turn(movers, c, q);
+    speed
+}
 
-    #[test]
-    fn friction_stops_the_slip_inside_the_disc() {
-        let p = friction_in_disc((0.3, -0.2), (2.0, 5.0), 10.0);
-        assert_eq!(p, (-0.15, 0.04));
-    }
-
-    #[test]
-    fn friction_on_the_rim_opposes_the_slip_that_is_left() {
-        let (b, k, radius) = ((3.0, -2.0), (2.0, 7.0), 0.25);
-        let p = friction_in_disc(b, k, radius);
-        let slip = (b.0 + k.0 * p.0, b.1 + k.1 * p.1);
-        assert!((length(p.0, p.1) - radius).abs() < 1e-15);
-        assert!((slip.0 * p.1 - slip.1 * p.0).abs() < 1e-12, "antiparallel");
-        assert!(slip.0 * p.0 + slip.1 * p.1 < 0.0);
+fn turn(movers: &mut [Mover], c: &Contact, q: DVec3) {
+    if q != DVec3::ZERO {
+        movers[c.bodies.0].turn(q);
+        movers[c.bodies.1].turn(-q);
     }
 }

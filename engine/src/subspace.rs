@@ -7,12 +7,16 @@
 //! those before where A leaves a choice. Sliding makes the system unsymmetric, so it is solved by GMRES (Saad & Schultz
 //! 1986), scaled on both sides by diag(A)^-1/2. A is never formed: a product with it is a pass over the contacts that
 //! pushes bodies and reads their relative velocities.
+//!
+//! Rolling and spinning friction stand behind the contacts as further unknowns, in the order of their contacts: within
+//! their bounds they ask for no turning, at a bound they go along with the normal impulse.
 
 use glam::DVec3;
 
 use crate::contact::Contact;
 use crate::math::length;
-use crate::mover::{velocity_of, Part, Twist};
+use crate::mover::{turning_of, velocity_of, Part, Twist};
+use crate::roll::Roll;
 use crate::solver::System;
 
 /// eps. What a leap leaves of an error in a motion whose eigenvalue of diag(A)^-1 A is e: eps / (eps + e). The
@@ -22,12 +26,15 @@ const DAMPING: f64 = 1e-5;
 /// Krylov vectors kept at most.
 const VECTORS: usize = 40;
 
-/// What a contact may change.
+/// A bound is reached when less than this part of it is left.
+const RIM: f64 = 1e-9;
+
+/// What a contact may change, of its impulses or of its angular ones.
 #[derive(Clone, Copy, Debug)]
 struct Freedom {
     /// Ones where the relative velocity is asked for.
     asked: DVec3,
-    /// Friction that goes along with a unit of normal impulse.
+    /// What goes along with a unit of normal impulse.
     along: DVec3,
     /// diag(A)^-1/2
     scale: DVec3,
@@ -41,7 +48,7 @@ impl Freedom {
             (DVec3::ZERO, DVec3::ZERO)
         } else if part == Part::Normals {
             (DVec3::X, DVec3::ZERO)
-        } else if rubbing < limit * (1.0 - 1e-9) {
+        } else if rubbing < limit * (1.0 - RIM) {
             (DVec3::ONE, DVec3::ZERO)
         } else if limit > 0.0 {
             (
@@ -59,17 +66,52 @@ impl Freedom {
         }
     }
 
-    /// The impulse that scaled unknowns stand for.
-    fn impulse(&self, unknown: DVec3) -> DVec3 {
-        let z = unknown * self.scale;
-        z + self.along * z.x
+    /// Of the angular impulses of a contact with this normal impulse.
+    fn of_roll(roll: &Roll, normal_impulse: f64, part: Part) -> Self {
+        let (q, normal) = (roll.impulse, normal_impulse);
+        let mut out = Self {
+            asked: DVec3::ZERO,
+            along: DVec3::ZERO,
+            scale: DVec3::new(
+                1.0 / roll.k.x.sqrt(),
+                1.0 / roll.k.y.sqrt(),
+                1.0 / roll.k.z.sqrt(),
+            ),
+        };
+        if normal <= 0.0 || part == Part::Normals {
+            return out;
+        }
+        let held = |q: f64, arm: f64| q < arm * normal * (1.0 - RIM);
+        if held(q.x.abs(), roll.spinning) {
+            out.asked.x = 1.0;
+        } else {
+            out.along.x = q.x / normal;
+        }
+        if held(length(q.y, q.z), roll.rolling) {
+            (out.asked.y, out.asked.z) = (1.0, 1.0);
+        } else {
+            (out.along.y, out.along.z) = (q.y / normal, q.z / normal);
+        }
+        out
+    }
+
+    /// The impulse that scaled unknowns stand for, with so much normal impulse.
+    fn impulse(&self, unknown: DVec3, normal: f64) -> DVec3 {
+        unknown * self.scale + self.along * normal
+    }
+
+    /// The normal impulse among them.
+    fn normal(&self, unknown: DVec3) -> f64 {
+        unknown.x * self.scale.x
     }
 }
 
-/// Working memory of the linear solve; one entry a contact.
+/// Working memory of the linear solve; one entry a contact, and behind them one a contact with a roll.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Subspace {
     freedom: Vec<Freedom>,
+    /// Slots of the contacts with a roll.
+    rolls: Vec<usize>,
     step: Vec<DVec3>,
     basis: Vec<Vec<DVec3>>,
     /// Columns of the triangular factor of the Hessenberg matrix.
@@ -84,6 +126,13 @@ impl Subspace {
     /// The change of the impulse of the contact in this slot.
     pub(crate) fn step(&self, slot: usize) -> DVec3 {
         self.step[slot]
+    }
+
+    /// The changes of the angular impulses, each with the slot of its contact.
+    pub(crate) fn turns(&self) -> impl Iterator<Item = (usize, DVec3)> + '_ {
+        let contacts = self.step.len() - self.rolls.len();
+        let steps = self.step[contacts..].iter().copied();
+        self.rolls.iter().copied().zip(steps)
     }
 
     /// Solve until the residual is `reduction` of what it was, or `budget` passes over the contacts are made, or the
@@ -103,7 +152,7 @@ impl Subspace {
                 break;
             }
         }
-        self.combine(system.island.contacts.len(), used);
+        self.combine(used);
         used
     }
 
@@ -122,6 +171,17 @@ impl Subspace {
             let missing = DVec3::X * c.target - c.velocity_among(system.movers);
             first.push(missing * freedom.asked * freedom.scale);
             self.freedom.push(freedom);
+        }
+        self.rolls.clear();
+        for (slot, &k) in system.island.contacts.iter().enumerate() {
+            let c = &system.contacts[k];
+            if let Some(roll) = &c.roll {
+                let freedom = Freedom::of_roll(roll, c.impulse.x, part);
+                let missing = -roll.to_local(turning_of(system.movers, c));
+                first.push(missing * freedom.asked * freedom.scale);
+                self.freedom.push(freedom);
+                self.rolls.push(slot);
+            }
         }
         let norm = dot(first, first).sqrt();
         if norm > 0.0 {
@@ -166,7 +226,7 @@ impl Subspace {
     }
 
     /// Back substitution, and the impulses that the solution stands for.
-    fn combine(&mut self, contacts: usize, used: usize) {
+    fn combine(&mut self, used: usize) {
         let mut weights = vec![0.0; used];
         for row in (0..used).rev() {
             let known: f64 = (row + 1..used)
@@ -180,17 +240,22 @@ impl Subspace {
             };
         }
         self.step.clear();
-        self.step.resize(contacts, DVec3::ZERO);
+        self.step.resize(self.freedom.len(), DVec3::ZERO);
         for (vector, &weight) in self.basis.iter().zip(&weights) {
             self.step
                 .iter_mut()
                 .zip(vector)
                 .for_each(|(s, v)| *s += *v * weight);
         }
-        self.step
-            .iter_mut()
-            .zip(&self.freedom)
-            .for_each(|(s, f)| *s = f.impulse(*s));
+        let (pushes, turns) = self.freedom.split_at(self.freedom.len() - self.rolls.len());
+        for (step, freedom) in self.step.iter_mut().zip(pushes) {
+            *step = freedom.impulse(*step, freedom.normal(*step));
+        }
+        for ((n, freedom), &slot) in turns.iter().enumerate().zip(&self.rolls) {
+            let normal = self.step[slot].x;
+            let step = &mut self.step[pushes.len() + n];
+            *step = freedom.impulse(*step, normal);
+        }
     }
 
     /// out = (A W + eps diag(A)) basis[from], scaled.
@@ -200,9 +265,18 @@ impl Subspace {
             system.articulation.respond(assembly, &mut self.responses);
         }
         out.clear();
-        let unknowns = self.freedom.iter().zip(&self.basis[from]);
-        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(unknowns) {
+        let mut unknowns = self.freedom.iter().zip(&self.basis[from]);
+        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(&mut unknowns) {
             let change = velocity_of(&self.responses, &system.contacts[k]);
+            out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
+        }
+        for (&slot, (freedom, &unknown)) in self.rolls.iter().zip(unknowns) {
+            let c = &system.contacts[system.island.contacts[slot]];
+            let turning = turning_of(&self.responses, c);
+            let change = c
+                .roll
+                .as_ref()
+                .map_or(DVec3::ZERO, |roll| roll.to_local(turning));
             out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
         }
     }
@@ -220,15 +294,28 @@ impl Subspace {
                 self.responses[body] = Twist::default();
             }
         }
-        let unknowns = self.freedom.iter().zip(&self.basis[from]);
-        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(unknowns) {
+        let mut unknowns = self.freedom.iter().zip(&self.basis[from]);
+        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(&mut unknowns) {
             if unknown == DVec3::ZERO {
                 continue;
             }
             let c = &contacts[k];
-            let p = c.to_world(freedom.impulse(unknown));
+            let p = c.to_world(freedom.impulse(unknown, freedom.normal(unknown)));
             for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
                 self.responses[body].add_scaled(&movers[body].response(impulse, arm), 1.0);
+            }
+        }
+        for (&slot, (freedom, &unknown)) in self.rolls.iter().zip(unknowns) {
+            let normal = self.freedom[slot].normal(self.basis[from][slot]);
+            let c = &contacts[system.island.contacts[slot]];
+            let local = freedom.impulse(unknown, normal);
+            let q = c
+                .roll
+                .as_ref()
+                .map_or(DVec3::ZERO, |roll| roll.to_world(local));
+            for (body, impulse) in [(c.bodies.0, q), (c.bodies.1, -q)] {
+                let turned = movers[body].inverse_inertia * impulse;
+                self.responses[body].angular_velocity += turned;
             }
         }
     }

@@ -343,7 +343,7 @@ impl World {
             } else {
                 0.0
             };
-            c.impulse = DVec3::ZERO;
+            c.clear_impulse();
             self.starts.push(u);
             self.gaps.push(gap);
         }
@@ -374,6 +374,13 @@ impl World {
             }
             let pushed = c.to_world(c.impulse) + c.impact_impulse;
             self.ledger.work_motors -= pushed.dot(c.driven(&self.bodies));
+            if let Some(roll) = &c.roll {
+                let turned = roll.to_world(roll.impulse);
+                let mean = 0.5 * (c.turning(&self.bodies) + self.solver.turning(c));
+                self.ledger.book(0.0, turned.dot(mean));
+                let driven = c.driven_turning(&self.bodies);
+                self.ledger.work_motors -= (turned + roll.impact_impulse).dot(driven);
+            }
             *gap += ((1.0 - lead) * start.x + lead * u.x) * h;
             let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
             c.sliding = loaded && length(u.y, u.z) > tolerance;

@@ -21,6 +21,8 @@ impl Scene {
             restitution,
             static_friction: friction,
             kinetic_friction: friction,
+            rolling_friction: 0.0,
+            spinning_friction: 0.0,
         };
         Self {
             model: Model {

@@ -233,11 +233,17 @@ fn read_pairs(input: &Input<'_>) -> PyResult<PairTable> {
     let kinetic_friction = input.floats("kinetic_friction", count)?;
     same_length("static_friction", &static_friction, count * count)?;
     same_length("kinetic_friction", &kinetic_friction, count * count)?;
+    let rolling_friction = input.floats("rolling_friction", count)?;
+    let spinning_friction = input.floats("spinning_friction", count)?;
+    same_length("rolling_friction", &rolling_friction, count * count)?;
+    same_length("spinning_friction", &spinning_friction, count * count)?;
     let entries = (0..count * count)
         .map(|k| Coefficients {
             restitution: restitution[k],
             static_friction: static_friction[k],
             kinetic_friction: kinetic_friction[k],
+            rolling_friction: rolling_friction[k],
+            spinning_friction: spinning_friction[k],
         })
         .collect();
     Ok(PairTable::new(count, entries))
