@@ -66,7 +66,8 @@ def test_names_ends_and_anchors_are_those_of_the_scene(trajectory: physsim.Traje
 
 def test_reaction_of_a_pendulum_let_go_at_the_side(trajectory: physsim.Trajectory) -> None:
     """I = m (L^2 + 2/5 r^2): alpha = m g L / I, so at first the hinge bears m (g - alpha L); later
-    m (g sin + omega^2 L) along the rod and m (g - alpha L) cos across. The force on A, the world, is down. Measured error 3e-14 N.
+    m (g sin + omega^2 L) along the rod and m (g - alpha L) cos across. The force on A, the world, is down.
+    Measured error 3e-14 N.
     """
     hinge, bob = trajectory.joint("hinge"), trajectory.body("bob")
     alpha = 2 * 9.81 / (2 * (1 + 0.4 * 0.05**2))
