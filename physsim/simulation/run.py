@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from physsim.recording.layout import Status
     from physsim.scene import Scene
 
-# Position, orientation, velocity, angular velocity; force, torque, three coordinates, violations; length, force.
+# Position, orientation and velocities; force, torque, three coordinates, violations; length, force.
 NUMBERS_PER_BODY = 3 + 4 + 3 + 3
 NUMBERS_PER_JOINT = 3 + 3 + 3 + 2
 NUMBERS_PER_SPRING = 2
