@@ -401,7 +401,7 @@ impl World {
     fn note_drives(&mut self, h: f64) {
         let impulses = self.articulation.drive_impulses();
         for (drive, &impulse) in self.articulation.drives().iter().zip(impulses) {
-            if impulse == 0.0 {
+            if drive.is_idle() {
                 continue;
             }
             let mean = 0.5 * (drive.row.rate(&self.bodies) + self.solver.rate(&drive.row));
