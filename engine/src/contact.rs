@@ -287,13 +287,13 @@ pub(crate) fn principal_tangents(
     (e, normal.cross(e), (middle + radius, middle - radius))
 }
 
-/// What a contact leaves to the next step: where it was on body A, and its impulses.
+/// What a contact leaves to the next step: where it was on body A, and its force and torque.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Remembered {
     geoms: (u32, u32),
     place: DVec3,
-    impulse: DVec3,
-    turn: Option<DVec3>,
+    force: DVec3,
+    torque: Option<DVec3>,
 }
 
 /// Contacts of the last step, for the warm start. Sorted by geoms, as contacts are.
@@ -303,20 +303,20 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// Keep the impulses of these contacts.
-    pub fn store(&mut self, contacts: &[Contact], bodies: &[Body]) {
+    /// Keep the impulses of these contacts, as forces over the step of `h` [s].
+    pub fn store(&mut self, contacts: &[Contact], bodies: &[Body], h: f64) {
         self.points.clear();
         self.points.extend(contacts.iter().map(|c| Remembered {
             geoms: c.geoms,
             place: bodies[c.bodies.0].rotation.transpose() * c.arms.0,
-            impulse: c.to_world(c.impulse),
-            turn: c.roll.as_ref().map(|roll| roll.to_world(roll.impulse)),
+            force: c.to_world(c.impulse) / h,
+            torque: c.roll.as_ref().map(|_| c.turn() / h),
         }));
     }
 
-    /// Start every contact from the impulse of the nearest point of the same geoms in the step before, each point
+    /// Start every contact from the force of the nearest point of the same geoms in the step before, each point
     /// used once. Points farther apart than `radius` of a geom pair are strangers.
-    pub fn recall(&mut self, contacts: &mut [Contact], bodies: &[Body], radius: &[f64]) {
+    pub fn recall(&mut self, contacts: &mut [Contact], bodies: &[Body], radius: &[f64], h: f64) {
         let mut from = 0;
         for contact in contacts.iter_mut() {
             while self
@@ -339,10 +339,10 @@ impl Memory {
                 }
             }
             if let Some(point) = self.points.get_mut(best.1) {
-                contact.impulse = contact.to_local(point.impulse);
+                contact.impulse = contact.to_local(point.force * h);
                 contact.impulse.x = contact.impulse.x.max(0.0);
-                if let (Some(roll), Some(turn)) = (&mut contact.roll, point.turn) {
-                    roll.impulse = roll.to_local(turn);
+                if let (Some(roll), Some(torque)) = (&mut contact.roll, point.torque) {
+                    roll.impulse = roll.to_local(torque * h);
                 }
                 point.place = DVec3::INFINITY;
             }

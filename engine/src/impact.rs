@@ -69,8 +69,12 @@ pub struct Event {
 /// What the impacts of a step are decided by.
 #[derive(Clone, Copy, Debug)]
 pub struct Rules {
-    /// [s]
+    /// What is left of the step, or all of it [s].
     pub timestep: f64,
+    /// Instants from here on are of no interest [s].
+    pub horizon: f64,
+    /// The whole step [s]: what a resting contact may gain in it is no impact.
+    pub whole: f64,
     /// Time at the start of the step [s].
     pub time: f64,
     /// Slower approaches are left to the contact solve [m/s].
@@ -191,15 +195,23 @@ pub struct Scene<'a> {
 }
 
 impl Impacts {
+    /// No impact yet in this step.
+    pub fn begin_step(&mut self) {
+        self.joint_impulses.clear();
+    }
+
+    /// No impact yet in this part of the step: every path is straight.
+    pub fn begin_part(&mut self, bodies: usize) {
+        self.kinks.clear();
+        self.kinks.resize(bodies, Kink::default());
+        self.work = (0.0, 0.0);
+        self.any = false;
+    }
+
     /// Resolve all impacts of a step: changes velocities of bodies and impact impulses of contacts, and leaves `kinks`.
     pub fn resolve(&mut self, scene: &mut Scene, rules: &Rules) {
-        self.kinks.clear();
-        self.kinks.resize(scene.bodies.len(), Kink::default());
-        self.work = (0.0, 0.0);
-        self.joint_impulses.clear();
         self.joint_impulses
             .resize(scene.articulation.all_rows().len(), 0.0);
-        self.any = false;
         for generation in 0..GENERATIONS {
             self.find_hit(scene, rules);
             let rebounds =
@@ -448,7 +460,6 @@ impl Kinks {
         accelerations: &[Twist],
         rules: &Rules,
     ) -> f64 {
-        let dt = rules.timestep;
         let speed = crate::contact::relative_velocity(bodies, c.bodies, c.arms).dot(c.normal);
         if speed >= -quiet_speed(c, accelerations, rules) {
             return f64::INFINITY;
@@ -457,7 +468,7 @@ impl Kinks {
         let earliest = self.0.instant.max(self.1.instant);
         let a = normal_acceleration(c, accelerations);
         let t = first_root(gap, speed + 0.5 * a * rules.offset(), 0.5 * a).max(earliest);
-        if t < dt {
+        if t < rules.horizon {
             t
         } else {
             f64::INFINITY
@@ -497,6 +508,19 @@ pub fn touching_instant(
     Kinks(Kink::default(), Kink::default()).touching(c, bodies, accelerations, rules)
 }
 
+/// Speed of approach that a contact touches with, at an instant of the step [m/s].
+#[must_use]
+pub fn touching_speed(
+    c: &Contact,
+    bodies: &[Body],
+    accelerations: &[Twist],
+    instant: f64,
+    rules: &Rules,
+) -> f64 {
+    let carried = crate::contact::relative_velocity(bodies, c.bodies, c.arms).dot(c.normal);
+    -carried - gained_speed(c, accelerations, instant, rules)
+}
+
 /// What impacts did to the gap of a contact in this step [m].
 #[must_use]
 pub fn gap_change(kinks: &[Kink], c: &Contact) -> f64 {
@@ -516,7 +540,7 @@ pub fn normal_acceleration(c: &Contact, accelerations: &[Twist]) -> f64 {
 pub fn quiet_speed(c: &Contact, accelerations: &[Twist], rules: &Rules) -> f64 {
     // Not of the difference: a body that is held from below falls onto it, whatever its own acceleration is.
     let along = |body: usize, arm: DVec3| accelerations[body].at(arm).dot(c.normal).abs();
-    (along(c.bodies.0, c.arms.0).max(along(c.bodies.1, c.arms.1)) * rules.timestep)
+    (along(c.bodies.0, c.arms.0).max(along(c.bodies.1, c.arms.1)) * rules.whole)
         .max(rules.tolerance)
         .max(rules.bounce_speed)
         .max(c.noise)

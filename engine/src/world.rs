@@ -48,29 +48,29 @@ pub enum Failure {
 
 /// Everything that a step needs, and the state that it advances.
 pub struct World {
-    settings: Settings,
-    geoms: Vec<Geom>,
+    pub(crate) settings: Settings,
+    pub(crate) geoms: Vec<Geom>,
     pairs: PairTable,
     /// Those of the scene, and the world itself as the last.
-    bodies: Vec<Body>,
+    pub(crate) bodies: Vec<Body>,
     forces: Forces,
     joints: Joints,
-    articulation: Articulation,
+    pub(crate) articulation: Articulation,
     paths: Paths,
-    loads: Loads,
-    contacts: Vec<Contact>,
-    memory: Memory,
+    pub(crate) loads: Loads,
+    pub(crate) contacts: Vec<Contact>,
+    pub(crate) memory: Memory,
     broadphase: Broadphase,
-    detector: Detector,
+    pub(crate) detector: Detector,
     approach: Approach,
     impacts: Impacts,
     solver: Solver,
     correction: Correction,
-    ledger: Ledger,
+    pub(crate) ledger: Ledger,
     report: Report,
     step: u64,
     resting_steps: u64,
-    fallbacks: u64,
+    pub(crate) fallbacks: u64,
     boxes: Vec<Aabb>,
     candidates: Vec<(u32, u32)>,
     jobs: Vec<Job>,
@@ -78,11 +78,11 @@ pub struct World {
     gaps: Vec<f64>,
     every: Vec<usize>,
     match_radius: Vec<f64>,
-    noise: Vec<f64>,
+    pub(crate) noise: Vec<f64>,
     /// Of the joints' rows as the integrator left them.
     values: Vec<f64>,
     /// Part of the step that is already made [s].
-    passed: f64,
+    pub(crate) passed: f64,
 }
 
 /// What a checkpoint holds: all that the next step depends on.
@@ -157,28 +157,44 @@ impl World {
     /// # Errors
     /// [`Failure`]; the state is then that of the failed step.
     pub fn step(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
-        self.advance(self.settings.timestep, oracle)?;
+        self.impacts.begin_step();
+        if self.settings.locates() {
+            self.advance_located(oracle)?;
+        } else {
+            self.advance(self.settings.timestep, oracle)?;
+        }
         self.step += 1;
+        self.passed = 0.0;
         self.observe();
         self.watch()
     }
 
     /// Move on by `h`.
-    fn advance(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
-        let time = self.time();
-        self.paths.depart(&mut self.bodies, time, h);
-        self.evaluate_forces(h);
-        self.collide(h, oracle)?;
-        self.resolve_impacts(h);
-        self.solve_contacts(h);
-        self.move_bodies(h);
-        self.correct_positions();
+    pub(crate) fn advance(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        self.survey(h, oracle)?;
+        self.resolve_impacts(&self.rules(h));
+        self.finish(h);
         Ok(())
     }
 
+    /// What acts on bodies, and what touches or will touch within `h`.
+    pub(crate) fn survey(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        self.impacts.begin_part(self.bodies.len());
+        self.evaluate_forces(h);
+        self.collide(h, oracle)
+    }
+
+    /// Contacts and joints, then the motion, then what it left of overlaps.
+    pub(crate) fn finish(&mut self, h: f64) {
+        self.solve_contacts(h);
+        self.move_bodies(h);
+        self.correct_positions();
+    }
+
     /// Accelerations of bodies, as their joints allow them, and what drives and limits of joints ask for.
-    fn evaluate_forces(&mut self, h: f64) {
+    pub(crate) fn evaluate_forces(&mut self, h: f64) {
         let time = self.time();
+        self.paths.depart(&mut self.bodies, time, h);
         let system = (&self.forces, &self.joints, &mut self.articulation);
         self.loads.evaluate(&self.bodies, system, time, h);
     }
@@ -242,7 +258,7 @@ impl World {
     }
 
     /// Two geoms where their bodies are now.
-    fn job(&self, geoms: (u32, u32), margin: f64) -> Job {
+    pub(crate) fn job(&self, geoms: (u32, u32), margin: f64) -> Job {
         let pose = |k: u32| {
             let geom = &self.geoms[k as usize];
             geom.pose(&self.bodies[geom.body].pose())
@@ -254,9 +270,11 @@ impl World {
         }
     }
 
-    fn rules(&self, h: f64) -> Rules {
+    pub(crate) fn rules(&self, h: f64) -> Rules {
         Rules {
             timestep: h,
+            horizon: h,
+            whole: self.settings.timestep,
             time: self.time(),
             bounce_speed: self.settings.bounce_speed,
             tolerance: self.settings.tolerance,
@@ -266,18 +284,17 @@ impl World {
         }
     }
 
-    fn resolve_impacts(&mut self, h: f64) {
-        let rules = self.rules(h);
+    pub(crate) fn resolve_impacts(&mut self, rules: &Rules) {
         let mut scene = Scene {
             bodies: &mut self.bodies,
             accelerations: &self.loads.accelerations,
             contacts: &mut self.contacts,
             articulation: &mut self.articulation,
         };
-        self.impacts.resolve(&mut scene, &rules);
+        self.impacts.resolve(&mut scene, rules);
         if self.impacts.any {
             self.ledger.book(self.impacts.work.0, self.impacts.work.1);
-            self.evaluate_forces(h);
+            self.evaluate_forces(rules.timestep);
         }
     }
 
@@ -321,7 +338,7 @@ impl World {
         }
         self.articulation.keep_holds();
         self.loads.hold(&self.contacts, &self.articulation, h);
-        self.memory.store(&self.contacts, &self.bodies);
+        self.memory.store(&self.contacts, &self.bodies, h);
         self.note_contacts(h);
         self.note_drives(h);
     }
@@ -348,7 +365,7 @@ impl World {
             self.gaps.push(gap);
         }
         self.memory
-            .recall(&mut self.contacts, &self.bodies, &self.match_radius);
+            .recall(&mut self.contacts, &self.bodies, &self.match_radius, h);
     }
 
     /// Velocities after the solve, their work, and the gaps that they lead to.
@@ -391,7 +408,7 @@ impl World {
     fn note_drives(&mut self, h: f64) {
         let impulses = self.articulation.drive_impulses();
         for (drive, &impulse) in self.articulation.drives().iter().zip(impulses) {
-            if impulse == 0.0 {
+            if drive.is_idle() {
                 continue;
             }
             let mean = 0.5 * (drive.row.rate(&self.bodies) + self.solver.rate(&drive.row));

@@ -13,10 +13,6 @@ from physsim.model.inertia import rotated
 from physsim.model.rotation import FloatArray
 
 WORLD_NAME = "world"
-NEGLIGIBLE = 1e-12
-"""Of the largest principal moment: a smaller one (a thin rod about its axis) cannot be spun up; as the engine
-has it.
-"""
 
 
 @dataclass(frozen=True)
@@ -129,6 +125,7 @@ class Placement:
         stand = self._stand
         turn = rotation.matrix(stand.orientation[number])
         offset, fixed = stand.center_of_mass[number], stand.fixed[number]
+        inverse = np.zeros((3, 3)) if fixed else np.linalg.inv(stand.inertia[number])
         return Placed(
             number=number,
             position=stand.position[number],
@@ -137,13 +134,5 @@ class Placement:
             orientation=stand.orientation[number],
             turn=turn,
             inverse_mass=0.0 if fixed else 1.0 / float(stand.mass[number]),
-            inverse_inertia=np.zeros((3, 3)) if fixed else rotated(_inverse(stand.inertia[number]), turn),
+            inverse_inertia=rotated(inverse, turn),
         )
-
-
-def _inverse(inertia: FloatArray) -> FloatArray:
-    """I^-1, with 0 for principal moments that are `NEGLIGIBLE`."""
-    moments, axes = np.linalg.eigh(inertia)
-    inverse = np.divide(1.0, moments, out=np.zeros(3), where=moments > NEGLIGIBLE * moments.max())
-    found: FloatArray = (axes * inverse) @ axes.T
-    return found

@@ -123,11 +123,6 @@ class Quantity:
     component: str | None = None
 
     @property
-    def body(self) -> str | None:
-        """The body's name, None outside of bodies."""
-        return self.name if self.group == "bodies" else None
-
-    @property
     def is_scalar(self) -> bool:
         """One number per frame, not a vector."""
         return not self.components or self.component is not None

@@ -24,6 +24,8 @@ _AS_THE_ENGINE_SAYS = (
     "sliding",
 )
 
+_OF_THE_SOLVER = ("residual", "iterations", "contact_count", "fallbacks")
+
 
 class Measure:
     """Turns what a world hands out into rows by dataset path; knows what of the model that takes."""
@@ -51,12 +53,10 @@ class Measure:
             "orientation": state["orientation"],
             "velocity": state["velocity"],
             "angular_velocity": state["angular_velocity"],
-            **{f"solver/{name}": solver[name] for name in ("residual", "iterations", "contact_count")},
-            "solver/fallbacks": solver.get("fallbacks", 0),
+            **{f"solver/{name}": solver[name] for name in _OF_THE_SOLVER},
             **self._momentum(state),
         }
         if self._energy:
-            rows |= {"energy/gravitation": 0.0}
             rows |= {f"energy/{name}": value for name, value in world.energies().items()}
         if self._joints:
             rows |= {f"joints/{name}": row[: self._joints] for name, row in world.joints().items()}

@@ -27,6 +27,11 @@ if TYPE_CHECKING:
     from physsim.recording.layout import Status
     from physsim.scene import Scene
 
+# Position, orientation and velocities; force, torque, three coordinates, violations; length, force.
+NUMBERS_PER_BODY = 3 + 4 + 3 + 3
+NUMBERS_PER_JOINT = 3 + 3 + 3 + 2
+NUMBERS_PER_SPRING = 2
+
 
 def run(
     scene: str | Path | Scene,
@@ -73,9 +78,13 @@ def run(
 
 def _refuse_bad_target(prepared: Prepared, force: bool) -> None:
     prepared.target.check(force=force)
-    numbers_per_body = 3 + 4 + 3 + 3
+    model = prepared.model
+    numbers = NUMBERS_PER_BODY * len(model.body_names)
+    if model.spec.record.joints:
+        numbers += NUMBERS_PER_JOINT * len(model.mechanics.joints.names)
+        numbers += NUMBERS_PER_SPRING * len(model.mechanics.springs.names)
     frames = prepared.schedule.whole_frames(prepared.schedule.steps)
-    prepared.target.check_space(frames * len(prepared.model.body_names) * numbers_per_body * 8)
+    prepared.target.check_space(frames * numbers * 8)
 
 
 def _is_done(found: Resumable, schedule: Schedule) -> bool:

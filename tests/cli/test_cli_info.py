@@ -103,6 +103,107 @@ class TestInfo:
         assert "--set changes scenes" in said.err
 
 
+MECHANISM = """
+physsim: 1
+title: A mechanism
+simulation: {duration: 50 ms, timestep: 1 ms}
+bodies:
+  bob: {shape: {type: sphere, radius: 10 cm}, mass: 2 kg, material: steel, position: [1, 0, 2]}
+  cube: {shape: {type: box, size: [0.6, 0.6, 0.6]}, mass: 2 kg, material: steel, position: [5, 0, 2]}
+springs:
+  tether: {type: linear, between: [world, bob], anchors: [[1, 0, 5], [0, 0, 0]], stiffness: 50,
+           damping_ratio: 0.2}
+  twist: {type: torsional, between: [world, cube], axis: [0, 0, 1], stiffness: 3, damping: 0.1}
+  damper: {type: linear, between: [bob, cube], damping: 4}
+joints:
+  axle: {type: hinge, between: [world, cube], anchor: [5, 0, 2], axis: [0, 0, 1], limits: [-90 deg, 1],
+         friction: 2, damping: 0.5, spring: {stiffness: 6, rest: 0.25}, motor: {speed: 2, max_torque: 10}}
+  wheel: {type: cylindrical, between: [world, bob], anchor: [1, 0, 2], axis: [0, 1, 0],
+          travel: {motor: {travel: 0.5, stiffness: 70, profile: {type: ramp, over: 1}}}}
+  pair: {type: gear, joints: [axle, wheel], ratio: -2}
+forces:
+  push: {body: bob, force: [1, 2, 3], torque: [0, 0, 1], frame: body, until: 2,
+         profile: {type: sine, frequency: 1}}
+  air: {body: "*", drag: {linear: 3, angular: 4, density: 1.2, area: 2, coefficient: 0.5}}
+  wind: {body: cube, acceleration: [1, 0, 0], region: [[0, 0, 0], [9, 9, 9]], from: 0.5}
+pairs:
+  - {between: [steel, steel], rolling_friction: 1 mm}
+"""
+
+
+@pytest.fixture
+def mechanism(tmp_path: Path) -> Path:
+    path = tmp_path / "mechanism.yaml"
+    path.write_text(MECHANISM)
+    return path
+
+
+@pytest.mark.usefixtures("mechanism")
+class TestInfoOfMechanisms:
+    def test_springs_tell_frequency_and_damping_of_the_formulas(self, physsim) -> None:
+        """omega = sqrt(50 / 2) = 5, f = omega / 2 pi, c_crit = 2 sqrt(50 * 2) = 20; the cube's I is 0.12."""
+        tether, twist, damper = json.loads(physsim("info", "mechanism.yaml", "--json").out)["springs"]
+        assert tether["angular_frequency"] == pytest.approx(5, rel=1e-12)
+        assert tether["frequency"] == pytest.approx(5 / (2 * math.pi), rel=1e-12)
+        assert tether["critical_damping"] == pytest.approx(20, rel=1e-12)
+        assert tether["damping_ratio"] == pytest.approx(0.2, rel=1e-12)
+        assert tether["damping"] == pytest.approx(4, rel=1e-12)
+        assert (tether["rest"], tether["placed"]) == (3, 3)
+        assert twist["effective_mass"] == pytest.approx(0.12, rel=1e-12)
+        assert twist["angular_frequency"] == pytest.approx(5, rel=1e-12)
+        assert twist["damping_ratio"] == pytest.approx(0.1 / (2 * math.sqrt(3 * 0.12)), rel=1e-12)
+        assert [damper[name] for name in ("angular_frequency", "damping_ratio", "critical_damping")] == [
+            None
+        ] * 3
+
+    def test_joints_tell_what_they_take_and_what_drives_them(self, physsim) -> None:
+        axle, wheel, pair = json.loads(physsim("info", "mechanism.yaml", "--json").out)["joints"]
+        assert [joint["degrees_removed"] for joint in (axle, wheel, pair)] == [5, 4, 1]
+        assert axle["drives"] == [
+            "angle: limits -1.571 to 1 rad, dry friction 2 N m, damping 0.5 N m s/rad, "
+            "spring 6 N m/rad to 0.25 rad, motor to 2 rad/s, at most 10 N m"
+        ]
+        assert wheel["drives"] == ["travel: servo to 0.5 m (ramp) with 70 N/m"]
+        assert (pair["between"], pair["drives"]) == (["axle", "wheel"], ["angle_2 = -2 angle_1"])
+
+    def test_forces_tell_on_what_and_when(self, physsim) -> None:
+        push, air, wind = json.loads(physsim("info", "mechanism.yaml", "--json").out)["forces"]
+        assert push["acts"] == "force [1, 2, 3] N in body axes, torque [0, 0, 1] N m in body axes"
+        assert (push["from"], push["until"], push["profile"]) == (0, 2, "sine")
+        assert air["bodies"] == ["bob", "cube"]
+        assert air["acts"] == "drag 3 N s/m, drag 4 N m s/rad, drag C = 0.5 on 2 m^2 in 1.2 kg/m^3"
+        assert wind["acts"] == "acceleration [1, 0, 0] m/s^2 from [0, 0, 0] to [9, 9, 9] m"
+
+    def test_text_has_a_table_for_each(self, physsim) -> None:
+        said = physsim("info", "mechanism.yaml").out
+        for part in (
+            "tether  linear     world - bob",
+            "0.7958",
+            "degrees removed",
+            "servo to 0.5 m (ramp)",
+            "2 bodies",
+            "from 0 s until 2 s, sine",
+            "rolling [m]",
+        ):
+            assert part in said
+
+    def test_a_trajectory_sums_up_joints_and_springs(self, physsim) -> None:
+        assert physsim("run", "mechanism.yaml", "--quiet").code == 0
+        document = json.loads(physsim("info", "mechanism.h5", "--json").out)
+        axle, wheel, pair = document["joints"]
+        assert (axle["type"], axle["between"], axle["broken"]) == ("hinge", ["world", "cube"], False)
+        assert [part["unit"] for part in wheel["coordinates"]] == ["m", "rad"]
+        assert pair["coordinates"] == []
+        assert axle["largest_force"] > 0.9 * 2 * 9.81
+        tether, twist, _ = document["springs"]
+        assert tether["first_length"] == 3
+        assert tether["units"] == ["m", "N"]
+        assert twist["units"] == ["rad", "N m"]
+        said = physsim("info", "mechanism.h5").out
+        assert "most force [N]" in said
+        assert "tether  linear     world - bob" in said
+
+
 def test_other_files_are_refused_politely(physsim, tmp_path: Path) -> None:
     (tmp_path / "picture.png").write_bytes(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")
     (tmp_path / "empty").write_bytes(b"")

@@ -160,7 +160,7 @@ def test_rolling_and_spinning_do_not_mix():
 
 @pytest.mark.parametrize(("shape", "k"), [(BALL, 2 / 5), (SHELL, 2 / 3)])
 def test_from_sliding_to_rolling(shape, k):
-    """Slipping m dv/dt = -mu m g, I domega/dt = (mu R - l_r) m g; from v = R omega on it rolls and is braked."""
+    """Slipping m dv/dt = -mu m g, I domega/dt = (mu R - l_r) m g; from v = R omega on it rolls, braked."""
     l_r, mu, v0 = 0.005, 0.2, 2.0
     text = body("ball", shape, mass=MASS, position=(0, 0, RADIUS), velocity=(v0, 0, 0))
     ball = room(FLOOR + text, rolling=l_r, mu=mu)
@@ -202,7 +202,7 @@ def test_impacts_brake_spin_by_their_normal_impulse(e):
 
 
 def test_one_bounce_takes_turn_at_once():
-    """Without friction of slipping a bounce, whose normal impulse is 2 m v, takes 2 l_r m v / I of turning."""
+    """Without friction of slipping a bounce with the normal impulse 2 m v takes 2 l_r m v / I of turning."""
     l_r, height, omega = 0.01, 0.05, 20.0
     text = body(
         "ball", BALL, mass=MASS, position=(0, 0, RADIUS + height), angular_velocity=(3 * omega, 4 * omega, 0)

@@ -19,8 +19,8 @@ EVERYTHING = Path(__file__).with_name("everything.yaml").read_text(encoding="utf
 
 @pytest.fixture(scope="module")
 def everything() -> Scene:
-    """The scene that has every key, but for threads, which are not supported yet."""
-    return load_scene_text(EVERYTHING, overrides=["simulation.threads=1"])
+    """The scene that has every key."""
+    return load_scene_text(EVERYTHING)
 
 
 def test_a_scene_with_every_key_is_valid(everything: Scene) -> None:

@@ -115,11 +115,6 @@ def test_coordinates_are_angles_or_lengths_as_the_joint_has_them(joint: str, uni
     assert found == units
 
 
-def test_the_body_is_the_name_of_a_body_only() -> None:
-    assert parse_quantity("bodies.a.speed").body == "a"
-    assert parse_quantity("joints.a.reaction").body is None
-
-
 def test_every_term_of_the_ledger_has_a_name() -> None:
     assert all(parse_quantity(f"energy.{term}").is_scalar for term in ENERGY_TERMS)
 
@@ -130,4 +125,4 @@ def test_any_text_is_read_or_refused(text: str) -> None:
         quantity = parse_quantity(f"bodies.{text}")
     except QuantityError:
         return
-    assert quantity.body
+    assert quantity.name

@@ -101,7 +101,7 @@ expect:
     )
     assert spec.no_contact == (("crate", "brick*"), ("brick[0,0,0]", "plate"))
     assert (spec.expect[0].at, spec.expect[0].value, spec.expect[0].within) == (5.0, 0.15, 0.01)
-    assert (spec.expect[1].at, spec.expect[1].parsed.body) == ("end", "brick[0,0,2]")
+    assert (spec.expect[1].at, spec.expect[1].parsed.name) == ("end", "brick[0,0,2]")
     assert (spec.simulation.steps, spec.steps_per_frame) == (5000, 10)
 
 

@@ -230,6 +230,12 @@ impl Articulation {
         &self.kept
     }
 
+    /// Go back to what `kept_holds` gave here.
+    pub(crate) fn keep(&mut self, holds: &[Hold]) {
+        self.kept.clear();
+        self.kept.extend_from_slice(holds);
+    }
+
     /// Take back what `kept_holds` gave.
     ///
     /// # Errors

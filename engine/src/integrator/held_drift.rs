@@ -1,7 +1,7 @@
 //! Moving bodies so that their joints hold.
 
 use super::dynamics::{Dynamics, Scratch};
-use super::rotation::rotate_free;
+use super::rotation::{rotate_free, Splitting};
 use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::joint::Joints;
@@ -10,8 +10,6 @@ use crate::joint::Joints;
 const ROUNDS: usize = 12;
 /// Joints are held to this [m or rad]: rounding of coordinates of some metres.
 const HELD: f64 = 1e-14;
-
-type Splitting = &'static [(usize, f64)];
 
 impl Dynamics<'_> {
     /// x += v h and the rotation that goes with the angular momentum; the joint impulses J(x)^T y that act before it are

@@ -59,6 +59,18 @@ def events(column: str) -> Measure:
     return lambda run: np.asarray(run.events[column], np.float64)
 
 
+def at_start(quantity: str) -> Measure:
+    """(1): the first value of a quantity with a name."""
+    named = parse_quantity(quantity)
+    return lambda run: over_time(run, named)[:1]
+
+
+def length(quantity: str) -> Measure:
+    """(T): length of a vector with a name."""
+    named = parse_quantity(quantity)
+    return lambda run: np.asarray(np.linalg.norm(over_time(run, named), axis=1))
+
+
 def at_end(quantity: str) -> Measure:
     """(1): the last value of a quantity with a name."""
     named = parse_quantity(quantity)

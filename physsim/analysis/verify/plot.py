@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import textwrap
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,10 +19,13 @@ if TYPE_CHECKING:
 Draw = Callable[["Axes", Sequence[Verdict]], None]
 WIDTH, HEIGHT = 5.0, 3.4
 """Of one panel [inch]."""
+LETTERS = 70
+"""Of one panel's width, in the title's type."""
+MARKERS = "osv^x+"
 
 
 def draw_formula(formula: Formula, verdicts: Sequence[Verdict], file: Path) -> None:
-    """One panel for the first comparison over time, one for convergence where there is one.
+    """One panel for the best comparison over time, one for convergence where there is one.
 
     file: its suffix says the format; the same verdicts give the same bytes of an SVG. Where there is
     neither a curve nor convergence, theory and measured values are drawn side by side. Needs matplotlib
@@ -30,9 +35,10 @@ def draw_formula(formula: Formula, verdicts: Sequence[Verdict], file: Path) -> N
     from matplotlib.figure import Figure  # noqa: PLC0415
 
     panels = _panels(verdicts)
-    with mpl.rc_context({"svg.hashsalt": formula.name, "font.size": 9}):
+    with mpl.rc_context({"svg.hashsalt": formula.name, "svg.fonttype": "none", "font.size": 9}):
         figure = Figure(figsize=(WIDTH * len(panels), HEIGHT), layout="constrained")
-        figure.suptitle(f"{formula.title}:  {formula.equation}", fontsize=9)
+        equation = textwrap.fill(formula.equation, LETTERS * len(panels))
+        figure.suptitle(f"{formula.title}\n{equation}", fontsize=9)
         axes = np.atleast_1d(figure.subplots(1, len(panels)))
         for panel, (draw, drawn) in zip(axes, panels, strict=True):
             draw(panel, drawn)
@@ -42,11 +48,11 @@ def draw_formula(formula: Formula, verdicts: Sequence[Verdict], file: Path) -> N
 
 def _panels(verdicts: Sequence[Verdict]) -> list[tuple[Draw, Sequence[Verdict]]]:
     """What is drawn side by side, and by whom."""
-    curves = [verdict for verdict in verdicts if len(verdict.law) == len(verdict.time)]
+    curves = [v for v in verdicts if np.any(v.law) and len(v.law) == len(v.time)]
     refined = [verdict for verdict in verdicts if verdict.check.order is not None and len(verdict.errors) > 1]
     panels: list[tuple[Draw, Sequence[Verdict]]] = []
     if curves:
-        panels.append((draw_curve, curves[:1]))
+        panels.append((draw_curve, [min(curves, key=lambda verdict: verdict.error)]))
     if refined:
         panels.append((draw_convergence, refined))
     return panels or [(draw_values, verdicts)]
@@ -73,11 +79,14 @@ def draw_curve(axes: Axes, verdicts: Sequence[Verdict]) -> None:
 
 def draw_convergence(axes: Axes, verdicts: Sequence[Verdict]) -> None:
     """Error over timestep, both logarithmic, one line per case with its measured order."""
-    for verdict in verdicts:
+    for verdict, marker in zip(verdicts, itertools.cycle(MARKERS), strict=False):
         order = "-" if verdict.order is None else f"{verdict.order:.2f}"
         label = f"{verdict.case.name.rpartition('.')[2]}: {order}"
-        axes.loglog(verdict.timesteps, verdict.errors, "o-", ms=4, lw=1, label=label)
-    axes.set(xlabel="timestep [s]", ylabel="greatest error", title="measured order of convergence")
+        axes.loglog(verdict.timesteps, verdict.errors, f"{marker}-", ms=5, lw=1, label=label)
+    steps = sorted({timestep for verdict in verdicts for timestep in verdict.timesteps})
+    axes.set_xticks(steps, [f"{1e3 * timestep:g}" for timestep in steps], minor=False)
+    axes.set_xticks([], minor=True)
+    axes.set(xlabel="timestep [ms]", ylabel="greatest error", title="measured order of convergence")
     axes.legend(frameon=False, fontsize=8)
 
 

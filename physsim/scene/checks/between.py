@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from physsim.errors import PathPart, Problem
 from physsim.scene.draft import Draft
@@ -37,6 +38,6 @@ def check_rising(
     told: str = "must be greater than the one before it",
 ) -> Iterator[Problem]:
     """Problems of a table whose first column must rise."""
-    for i, (row, before) in enumerate(zip(rows[1:], rows, strict=False), start=1) if rows else ():
-        if row[0] <= before[0]:
-            yield Problem((*path, i, 0), told, f"{row[0]:g}")
+    for i, (before, after) in enumerate(pairwise(rows or ()), start=1):
+        if after[0] <= before[0]:
+            yield Problem((*path, i, 0), told, f"{after[0]:g}")

@@ -6,7 +6,7 @@ import numpy as np
 
 from physsim.analysis.verify import measure
 from physsim.analysis.verify.case import Array, Case, Check, Formula, Values
-from physsim.analysis.verify.orders import by_integrator
+from physsim.analysis.verify.orders import JOINTED, by_integrator
 from physsim.analysis.verify.sections.double_pendulum import places
 from physsim.analysis.verify.sections.pendulum import swing_angle, swing_period, swing_speed_squared
 from physsim.recording import Trajectory
@@ -84,23 +84,24 @@ PENDULUM = Formula(
             "pendulum",
             "pendulum",
             _angle,
-            {
-                "explicit_euler": 5e-2,
-                "semi_implicit_euler": 5e-2,
-                "verlet": 1e-3,
-                "velocity_verlet": 1e-3,
-                "leapfrog": 1e-3,
-                "rk4": 1e-7,
-            },
+            (6e-2, 1.1e-3, 1e-4, 5e-11),  # measured 3.8e-2, 7.1e-4, 6.6e-5, 3.4e-11
+            timesteps=JOINTED,
         ),
         Case(
             "pendulum.rod",
             "pendulum",
             (
-                Check("period", "s", measured_period, period, 1e-5),
-                Check("pull of the rod", "N", "joints.rod.reaction", tension, 1e-8),
+                # reaction of a frame at its own instant; measured 3.5e-11
+                Check("pull of the rod", "N", "joints.rod.reaction", tension, 1e-10),
+                # measured 1.5e-13
                 Check("length error", "m", "joints.rod.violation", nothing, 1e-10, None, False),
             ),
+        ),
+        Case(
+            "pendulum.period",
+            "pendulum",
+            (Check("period", "s", measured_period, period, 1e-9),),  # measured 9.5e-11
+            {"record.every": "16 ms"},
         ),
     ),
 )
@@ -116,14 +117,8 @@ DOUBLE_PENDULUM = Formula(
             "double_pendulum",
             "double_pendulum",
             _places,
-            {
-                "explicit_euler": 5e-2,
-                "semi_implicit_euler": 5e-2,
-                "verlet": 1e-3,
-                "velocity_verlet": 1e-3,
-                "leapfrog": 1e-3,
-                "rk4": 1e-7,
-            },
+            (2.2e-2, 1.5e-3, 9e-5, 2.2e-10),  # measured 1.5e-2, 9.6e-4, 6.0e-5, 1.4e-10
+            timesteps=JOINTED,
         ),
         Case(
             "double_pendulum.five_seconds",
@@ -149,8 +144,8 @@ STABILISATION = Formula(
             "stabilization.baumgarte",
             "stretched_rod",
             (
-                Check("C(t)", "m", "joints.rod.violation", position_error, 1e-9),
-                Check("kinetic energy", "J", "energy.kinetic", energy_from_nowhere, 1e-9),
+                Check("C(t)", "m", "joints.rod.violation", position_error, 1e-12),
+                Check("kinetic energy", "J", "energy.kinetic", energy_from_nowhere, 1e-12),
             ),
             {"simulation.stabilization": "baumgarte"},
         ),
@@ -158,7 +153,7 @@ STABILISATION = Formula(
             "stabilization.split_impulse",
             "stretched_rod",
             (
-                Check("C(t)", "m", "joints.rod.violation", position_error, 1e-9),
+                Check("C(t)", "m", "joints.rod.violation", position_error, 1e-12),
                 Check("kinetic energy", "J", "energy.kinetic", nothing, 1e-20, None, False),
             ),
         ),
@@ -203,7 +198,7 @@ HINGE = Formula(
             "hinge",
             "hinged_arm",
             (
-                Check("angle", "rad", "joints.post.coordinate", lambda p, t: p["w"] * t, 1e-9),
+                Check("angle", "rad", "joints.post.coordinate", lambda p, t: p["w"] * t, 1e-11),
                 Check(
                     "force",
                     "N",
@@ -214,7 +209,7 @@ HINGE = Formula(
                 Check(
                     "moment",
                     "N m",
-                    lambda run: np.linalg.norm(run.series("joints/torque")[:, 0], axis=1),
+                    measure.length("joints.post.torque"),
                     lambda p, t: np.full_like(t, p["m"] * p["g"] * p["d"]),
                     1e-8,
                 ),
@@ -281,7 +276,7 @@ FIXED = Formula(
                 Check(
                     "moment at the wall",
                     "N m",
-                    lambda run: np.linalg.norm(run.series("joints/torque")[:, 1], axis=1),
+                    measure.length("joints.wall.torque"),
                     lambda p, t: np.full_like(t, p["m"] * p["g"] * p["d"]),
                     1e-9,
                 ),
@@ -311,7 +306,7 @@ CONE = Formula(
                 Check(
                     "moment at the end",
                     "N m",
-                    lambda run: np.linalg.norm(run.series("joints/torque")[-1:, 0], axis=1),
+                    lambda run: measure.length("joints.shoulder.torque")(run)[-1:],
                     lambda p, t: np.array([p["m"] * p["g"] * p["d"] * np.sin(p["limit"])]),
                     1e-6,
                 ),

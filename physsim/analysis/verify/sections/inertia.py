@@ -98,7 +98,7 @@ def _shape(name: str, moments: Moments) -> Formula:
         Case(
             f"inertia_{name}.across",
             "inertia_shapes",
-            (Check("I_xx", "kg m²", moment(name, 0), lambda p, t: np.array([moments(p)[0]]), _rod(name)),),
+            (Check("I_xx", "kg m²", moment(name, 0), lambda p, t: np.array([moments(p)[0]]), 1e-12),),
             TURN_X,
         )
     ]
@@ -120,13 +120,6 @@ def _shape(name: str, moments: Moments) -> Formula:
         "The body floats in space and is turned from rest, about x or about z; its moment is τ t / ω.",
         tuple(cases),
     )
-
-
-def _rod(name: str) -> float:
-    """The rod is modelled with a radius of L/1000, which adds 3e-6 of its moment across; the others are
-    exact.
-    """
-    return 3.1e-6 if name == "rod" else 1e-12
 
 
 ROLLING = Formula(
@@ -181,13 +174,13 @@ PARALLEL_AXIS = Formula(
             "parallel_axis.pendulum",
             "compound_pendulum",
             (
-                Check("θ(t)", "rad", measure.turned("bar", "y"), bar_angle, 1e-8, 4),
+                Check("θ(t)", "rad", measure.turned("bar", "y"), bar_angle, 1.4e-9, 4),
                 Check(
                     "period",
                     "s",
                     measured_period,
                     lambda p, t: np.array([swing_period(bar_rate(p), p["start"])]),
-                    1e-5,
+                    1e-7,
                 ),
             ),
             {},

@@ -99,19 +99,12 @@ SPRING = Formula(
             "spring_damper",
             "spring",
             _place,
-            {
-                "explicit_euler": 2e-2,
-                "semi_implicit_euler": 2e-2,
-                "verlet": 1e-4,
-                "velocity_verlet": 1e-4,
-                "leapfrog": 1e-4,
-                "rk4": 1e-7,
-            },
+            (8e-4, 2e-4, 4e-6, 1.2e-10),  # measured 6.1e-4, 1.6e-4, 2.5e-6, 8.0e-11
         ),
         Case(
             "spring_damper.force",
             "spring",
-            (Check("tension at the start", "N", lambda run: run.series("springs/force")[0], force, 1e-12),),
+            (Check("tension at the start", "N", measure.at_start("springs.spring.force"), force, 1e-12),),
         ),
     ),
 )
@@ -130,7 +123,7 @@ DAMPING = Formula(
             {"parameters.zeta": zeta},
             MILLISECONDS[4],
         )
-        for name, zeta, within in (("under", 0.1, 1e-7), ("critical", 1, 1e-7), ("over", 2, 1e-7))
+        for name, zeta, within in (("under", 0.1, 1.2e-10), ("critical", 1, 6e-11), ("over", 2, 5e-10))
     ),
 )
 FREQUENCY = Formula(
@@ -151,7 +144,7 @@ FREQUENCY = Formula(
                     "s",
                     measured_period,
                     lambda p, t: 2 * np.pi * np.sqrt(p["m"] / p["k"]) * np.ones(1),
-                    1e-6,
+                    1e-9,
                 ),
             ),
             {
@@ -164,7 +157,7 @@ FREQUENCY = Formula(
         Case(
             "natural_frequency.two_bodies",
             "two_bodies_on_a_spring",
-            (Check("distance", "m", measured_distance, distance, 1e-8, 4),),
+            (Check("distance", "m", measured_distance, distance, 3e-10, 4),),
             {},
             MILLISECONDS[4],
         ),
@@ -172,14 +165,7 @@ FREQUENCY = Formula(
             "natural_frequency.coupled",
             "coupled_springs",
             _modes,
-            {
-                "explicit_euler": 2e-2,
-                "semi_implicit_euler": 2e-2,
-                "verlet": 1e-4,
-                "velocity_verlet": 1e-4,
-                "leapfrog": 1e-4,
-                "rk4": 1e-7,
-            },
+            (3e-2, 3e-3, 1.2e-4, 5e-9),  # measured 2.0e-2, 1.8e-3, 7.9e-5, 3.6e-9
         ),
     ),
 )
@@ -194,14 +180,7 @@ TORSION = Formula(
         "torsional_spring",
         "torsion_spring",
         _angle,
-        {
-            "explicit_euler": 2e-2,
-            "semi_implicit_euler": 2e-2,
-            "verlet": 1e-4,
-            "velocity_verlet": 1e-4,
-            "leapfrog": 1e-4,
-            "rk4": 1e-7,
-        },
+        (6e-3, 1.2e-3, 3e-5, 1.6e-9),  # measured 3.9e-3, 8.5e-4, 1.7e-5, 1.1e-9
     ),
 )
 SECTION = (SPRING, DAMPING, FREQUENCY, TORSION)
