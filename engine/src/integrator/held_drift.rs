@@ -6,8 +6,11 @@ use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::joint::Joints;
 
-/// Rounds of Newton's method on the constraints at most; each gains a factor of about omega dt.
-const ROUNDS: usize = 12;
+/// Rounds of Newton's method on the constraints at most; each gains a factor of about omega dt, and 0.3 where a chain of
+/// 100 links cracks like a whip.
+const ROUNDS: usize = 60;
+/// A round that gains less is the last.
+const GAIN: f64 = 0.7;
 /// Joints are held to this [m or rad]: rounding of coordinates of some metres.
 const HELD: f64 = 1e-14;
 
@@ -64,7 +67,8 @@ impl Dynamics<'_> {
                 worst = worst.max(value.abs());
                 *value /= h;
             }
-            if worst <= HELD || worst > 0.5 * error {
+            // The last round ends with a drift: bodies must not be left where they were.
+            if worst <= HELD || worst > GAIN * error || round + 1 == ROUNDS {
                 break;
             }
             error = worst;

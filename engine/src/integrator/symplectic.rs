@@ -37,6 +37,7 @@ pub(super) fn kick_drift_kick(bodies: &mut [Body], d: &mut Dynamics) {
 }
 
 /// The kick over `h` that ends a step, by fixed-point iteration where forces depend on the velocity that it leads to.
+/// Returns the powers at the end.
 fn closing_kick(bodies: &mut [Body], d: &mut Dynamics, h: f64) -> Powers {
     let rounds = if d.depends_on_velocity() { ROUNDS } else { 1 };
     let mut before = std::mem::take(&mut d.scratch.states);
@@ -63,6 +64,9 @@ fn closing_kick(bodies: &mut [Body], d: &mut Dynamics, h: f64) -> Powers {
         }
     }
     d.scratch.states = before;
+    if rounds == 1 {
+        powers = d.evaluate(bodies, 1.0);
+    }
     powers
 }
 
