@@ -24,12 +24,16 @@ use crate::articulation::{Aim, Articulation};
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::mover::Twist;
-use crate::solver::{Limits, Solver};
+use crate::solver::{Limits, Report, Solver};
 
 /// Generations in one step at most. What approaches after that is stopped by the contact solve, without restitution;
 /// so is everything that is driven into an approach from which it would not rebound: plastic impacts pass through a
 /// heap all at once, not in generations.
 const GENERATIONS: usize = 100;
+
+/// Where the solve leaves this part of the fastest approach there is no solution: friction holds what restitution wants to
+/// throw back, as when a pendulum wedges itself onto a floor (Painleve's paradox). Such an impact is plastic.
+const JAMMED: f64 = 1e-2;
 
 /// This part of a step apart is simultaneous.
 const SAME: f64 = 1e-3;
@@ -277,14 +281,25 @@ impl Impacts {
             iterations: 2 * rules.iterations,
             tolerance: (1e-10 * fastest).min(rules.tolerance),
         };
-        self.solve(scene, limits);
+        let report = self.solve(scene, limits);
+        if report.residual > JAMMED * fastest {
+            self.forgo_restitution(scene, limits);
+        }
         self.elastic
             .take(&self.hit, scene.contacts, &self.solver, scene.articulation);
         self.keep_energy(scene, limits);
         self.apply(scene, rules);
     }
 
-    fn solve(&mut self, scene: &mut Scene, limits: Limits) {
+    /// Plastic impacts of the hit contacts instead of those that they were aimed at.
+    fn forgo_restitution(&mut self, scene: &mut Scene, limits: Limits) {
+        for &k in &self.hit {
+            scene.contacts[k].target = scene.contacts[k].target.min(0.0);
+        }
+        self.solve(scene, limits);
+    }
+
+    fn solve(&mut self, scene: &mut Scene, limits: Limits) -> Report {
         for &k in &self.hit {
             scene.contacts[k].clear_impulse();
         }
@@ -296,7 +311,7 @@ impl Impacts {
         );
         self.solver.load(bodies);
         self.solver
-            .solve(scene.contacts, &self.hit, scene.articulation, limits);
+            .solve(scene.contacts, &self.hit, scene.articulation, limits)
     }
 
     /// Work of the impulses, sum of J . (u + u') / 2, must not be positive. With restitution a part s of the impulses
@@ -313,10 +328,7 @@ impl Impacts {
         if full <= 1e-12 * scale {
             return;
         }
-        for &k in &self.hit {
-            scene.contacts[k].target = scene.contacts[k].target.min(0.0);
-        }
-        self.solve(scene, limits);
+        self.forgo_restitution(scene, limits);
         self.plastic
             .take(&self.hit, scene.contacts, &self.solver, scene.articulation);
         // W(s) = (1 - s)^2 W_pp + s (1 - s) (W_pe + W_ep) + s^2 W_ee, with W_xy the impulses of x on the velocities of y.

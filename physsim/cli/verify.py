@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from physsim.analysis.verify import Case, Formula, Verdict
     from physsim.recording import Trajectory
 
-HEAD = ("case", "compared", "formula", "theory", "measured", "unit", "error", "order", "passed")
-RIGHT = (3, 4, 6, 7)
+HEAD = ("case", "compared", "theory", "measured", "unit", "error", "order", "passed")
+RIGHT = (2, 3, 5, 6)
 
 
 @dataclass
@@ -190,26 +190,31 @@ def show_list(formulas: Sequence[Formula], as_json: bool) -> None:
 
 
 def show(tried: Sequence[Tried]) -> None:
-    """The table, then whatever else was off, then the count."""
-    rows = [row(each.formula, verdict) for each in tried for verdict in each.verdicts]
-    output.result(table(HEAD, rows, right=RIGHT))
-    for trouble in (trouble for each in tried for trouble in each.troubles):
-        output.result(click.style(trouble, fg="red"))
+    """The table, each formula above its comparisons; then whatever else was off, then the count."""
+    rows = [row(verdict) for each in tried for verdict in each.verdicts]
+    head, *lines = table(HEAD, rows, right=RIGHT).splitlines()
+    output.result(head)
+    for each in tried:
+        output.result(click.style(f"{each.formula.title}: {each.formula.equation}", bold=True))
+        for _ in each.verdicts:
+            output.result(lines.pop(0))
+        for trouble in each.troubles:
+            output.result(click.style(f"NO: {trouble}", fg="red"))
     failed = sum(not verdict.passed for each in tried for verdict in each.verdicts)
     troubles = sum(len(each.troubles) for each in tried)
+    expected = sum(each.expectations for each in tried)
     output.result(
-        f"\n{len(rows) - failed} of {len(rows)} comparisons passed, "
-        f"{sum(each.expectations for each in tried)} expectations of the scenes checked, {troubles} troubles"
+        f"\n{len(rows) - failed} of {len(rows)} comparisons passed, {expected} expectations of the scenes "
+        f"checked, {output.counted(troubles, 'trouble', 'troubles')}"
     )
 
 
-def row(formula: Formula, verdict: Verdict) -> list[str]:
+def row(verdict: Verdict) -> list[str]:
     """One line of the table."""
     check, passed = verdict.check, verdict.passed
     return [
         verdict.case.name,
         check.name,
-        formula.equation if len(formula.equation) <= 40 else formula.title,
         number(verdict.theory, 8),
         number(verdict.measured, 8),
         check.unit,
