@@ -294,6 +294,7 @@ impl World {
         self.impacts.resolve(&mut scene, rules);
         if self.impacts.any {
             self.ledger.book(self.impacts.work.0, self.impacts.work.1);
+            self.ledger.work_motors += self.impacts.driven_work;
             self.evaluate_forces(rules.timestep);
         }
     }
@@ -389,8 +390,7 @@ impl World {
             } else {
                 self.ledger.book(c.impulse.x * mean.x, 0.0);
             }
-            let pushed = c.to_world(c.impulse) + c.impact_impulse;
-            self.ledger.work_motors -= pushed.dot(c.driven(&self.bodies));
+            self.ledger.work_motors -= c.to_world(c.impulse).dot(c.driven(&self.bodies));
             if let Some(roll) = &c.roll {
                 let turned = roll.to_world(roll.impulse);
                 let mean = 0.5 * (c.turning(&self.bodies) + self.solver.turning(c));
