@@ -120,8 +120,10 @@ pub struct Impacts {
     pub joint_impulses: Vec<f64>,
     /// The instant of the impacts on each assembly of joints.
     joint_instants: Vec<f64>,
-    /// Work of the impulses of this step [J]: normal and tangential parts.
+    /// Work of the impulses of this part of the step [J]: normal and tangential parts.
     pub work: (f64, f64),
+    /// Work that conveyors and bodies on a prescribed path did in them [J].
+    pub driven_work: f64,
     /// Of each body, in this step.
     pub kinks: Vec<Kink>,
     /// Since they were last taken away.
@@ -209,6 +211,7 @@ impl Impacts {
         self.kinks.clear();
         self.kinks.resize(bodies, Kink::default());
         self.work = (0.0, 0.0);
+        self.driven_work = 0.0;
         self.any = false;
     }
 

@@ -55,6 +55,7 @@ impl World {
             match self.first_touch(&rules) {
                 None => {
                     self.finish(left);
+                    self.report_whole_step(left);
                     return Ok(());
                 }
                 Some(touch) if touch.instant <= now => {
@@ -68,6 +69,15 @@ impl World {
         }
         self.fallbacks += 1;
         self.advance(self.settings.timestep - self.passed, oracle)
+    }
+
+    /// Contacts of the last part, of length `h`, are handed out as if it had been the whole step: forces are impulses over
+    /// the timestep.
+    fn report_whole_step(&mut self, h: f64) {
+        let share = self.settings.timestep / h;
+        for c in &mut self.contacts {
+            c.impulse *= share;
+        }
     }
 
     fn first_touch(&self, rules: &Rules) -> Option<Touch> {

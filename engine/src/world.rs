@@ -294,6 +294,7 @@ impl World {
         self.impacts.resolve(&mut scene, rules);
         if self.impacts.any {
             self.ledger.book(self.impacts.work.0, self.impacts.work.1);
+            self.ledger.work_motors += self.impacts.driven_work;
             self.evaluate_forces(rules.timestep);
         }
     }
@@ -389,8 +390,7 @@ impl World {
             } else {
                 self.ledger.book(c.impulse.x * mean.x, 0.0);
             }
-            let pushed = c.to_world(c.impulse) + c.impact_impulse;
-            self.ledger.work_motors -= pushed.dot(c.driven(&self.bodies));
+            self.ledger.work_motors -= c.to_world(c.impulse).dot(c.driven(&self.bodies));
             if let Some(roll) = &c.roll {
                 let turned = roll.to_world(roll.impulse);
                 let mean = 0.5 * (c.turning(&self.bodies) + self.solver.turning(c));
@@ -447,6 +447,8 @@ impl World {
         };
         self.settings.integrator.advance(&mut self.bodies, &mut d);
         let (work, stabilization) = (d.work, d.stabilization);
+        // Kicks add to the angular velocity; from the same momentum and pose it is to be the same, also after a resume.
+        self.bodies.iter_mut().for_each(Body::derive);
         self.ledger.work_forces += work.forces;
         self.ledger.work_motors += work.motors;
         self.ledger.lost_damping -= work.damping;

@@ -5,19 +5,22 @@ from __future__ import annotations
 import difflib
 import math
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 import h5py
 import numpy as np
+from numpy.typing import ArrayLike
 
 from physsim.errors import FileTrouble, PhyssimError
-from physsim.recording import layout
+from physsim.recording import contact_choice, layout, views
 from physsim.recording.checkpoint import Checkpoint, newest
 from physsim.recording.column import Column
 from physsim.recording.connection_track import JointTrack, SpringTrack
 from physsim.recording.contents import columns_of, find_datasets, whole_frames
+from physsim.recording.quantities import over_time
+from physsim.recording.resample import at_times
 from physsim.recording.safe import (
     Damaged,
     guarded,
@@ -30,7 +33,10 @@ from physsim.recording.target import part_of
 from physsim.recording.track import BodyTrack
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
+
+    from physsim.scene.quantity import Quantity
 
 _BODY_ROWS = ("body_a", "body_b")
 _NAMES = {"body": "body", "joint": "joints/joint", "spring": "springs/spring"}
@@ -163,13 +169,55 @@ class Trajectory:
         """The frame nearest to a time [s]."""
         return int(np.argmin(np.abs(self.time - moment)))
 
-    def contacts(self, frame: int | None = None) -> Table:
+    def bodies(self, pattern: str = "*") -> tuple[str, ...]:
+        """Names of the bodies that fit the pattern, in scene order; `*` stands for any characters.
+
+        Raises NotInFile, with the nearest name, when none does.
+        """
+        from physsim.scene.patterns import matches  # noqa: PLC0415, slow to import
+
+        found = tuple(name for name in self.body_names if matches(pattern, name))
+        if not found:
+            self.index_of(pattern)
+        return found
+
+    def find_quantity(self, name: str) -> Quantity:
+        """What a name such as `bodies.crate.position.z` stands for, with its unit. Raises NotInFile."""
+        from physsim.scene.quantity import QuantityError, parse_quantity  # noqa: PLC0415, slow to import
+
+        types = dict(zip(self.joint_names, self._names("joints/type"), strict=True))
+        try:
+            return parse_quantity(name, types)
+        except QuantityError as error:
+            hints = [text for text in (error.hint, error.allowed and f"allowed: {error.allowed}") if text]
+            raise NotInFile("; ".join([f"{name}: {error}", *hints])) from None
+
+    def quantity(self, name: str, frames: slice = slice(None)) -> Array:
+        """A quantity by its name, as in `expect`: (T), or (T, 3) or (T, 4) for a whole vector; SI.
+
+        frames: which of them; only these are read. Raises NotInFile.
+        """
+        return over_time(self, self.find_quantity(name), frames)
+
+    def resample(self, name: str, times: ArrayLike) -> Array:
+        """A quantity at `times` [s]: straight lines between frames, arcs for orientations.
+
+        Raises NotInFile, and ValueError for times outside of the trajectory.
+        """
+        return at_times(self, self.find_quantity(name), times)
+
+    def contacts(
+        self, frame: int | None = None, *, body: str | None = None, other: str | None = None
+    ) -> Table:
         """The contact points of one frame, or of all: the columns of /contacts, bodies by name.
 
-        `pair` is the row of `pairs`. Frame 0 has none: no step has been done. Raises NotInFile when the run
-        did not record contacts, or for a frame past the end.
+        body, other: only those in which the two take part. `pair` is the row of `pairs`. Frame 0 has none: no
+        step has been done. Raises NotInFile when the run did not record contacts, for a frame past the end,
+        and for a body that is not there.
         """
-        self._need_group("contacts")
+        for name in (body, other):
+            if name is not None:
+                self.index_of(name)
         if frame is None:
             first, last = 0, self.frames
         elif -self.frames <= frame < self.frames:
@@ -177,9 +225,22 @@ class Trajectory:
             last = first + 1
         else:
             raise NotInFile(f"{self.path}: has no frame {frame}; it has {self.frames} frames")
+        return contact_choice.between(self.contact_rows(first, last), body, other)
+
+    def contact_rows(self, first: int, last: int, columns: Iterable[str] | None = None) -> Table:
+        """The contact points of the frames first to last, the last not included; only some columns when
+        named. Raises NotInFile when the run did not record contacts.
+        """
+        self._need_group("contacts")
+        wanted = None if columns is None else set(columns)
+        leave_out = [
+            column.path
+            for column in columns_of("contacts")
+            if column.name == "offset" or (wanted is not None and column.name not in wanted)
+        ]
         with guarded(self.path):
             start, stop = (int(self._datasets["contacts/offset"][row]) for row in (first, last))
-            return self._rows("contacts", start, stop, leave_out=("contacts/offset",))
+            return self._rows("contacts", start, stop, leave_out)
 
     @property
     def events(self) -> Table:
@@ -209,7 +270,7 @@ class Trajectory:
     @property
     def pairs(self) -> Table:
         """The resolved coefficients of every pair of materials, with where each came from."""
-        return Table({column.name: self.values(column.path) for column in self._there("pairs")})
+        return Table({column.name: self.values(column.path) for column in self.columns_in("pairs")})
 
     @property
     def provenance(self) -> dict[str, Any]:
@@ -231,8 +292,10 @@ class Trajectory:
 
     def series(self, path: str, row: int | None = None) -> Series:
         """A dataset over time by its path in the file, of one body, joint or spring (by row) where it has
-        such an axis.
+        such an axis. Raises NotInFile.
         """
+        if path not in self._datasets:
+            raise NotInFile(f"{self.path}: has no /{path}")
         return Series(self.path, self._datasets[path], self.frames, layout.BY_PATH[path].units, row)
 
     def values(self, path: str) -> Array:
@@ -244,23 +307,38 @@ class Trajectory:
                 self._values[path] = np.asarray(found.asstr()[()] if text else found[()])
         return self._values[path]
 
-    def to_xarray(self) -> xarray.Dataset:
+    def columns_in(self, group: str) -> list[Column]:
+        """The table's columns of a group ("" for the root) that the file has: an older one may lack some.
+
+        Raises NotInFile when it has none of them.
+        """
+        if group:
+            self._need_group(group)
+        return [column for column in columns_of(group) if column.path in self._datasets]
+
+    @property
+    def attributes(self) -> dict[str, Any]:
+        """The attributes of the root."""
+        with guarded(self.path):
+            return dict(self._file.attrs)
+
+    def to_pandas(
+        self, quantities: Sequence[str] | None = None, times: ArrayLike | None = None
+    ) -> pandas.DataFrame:
+        """One row per frame, one column per number, named like the quantities; the index is the time [s].
+
+        quantities: names as in `expect`; the state of every body when not given. times: other times than
+        those of the frames, as `resample` does it. Needs pandas (extra `analysis`).
+        """
+        return views.to_pandas(self, quantities, times)
+
+    def to_xarray(self, bodies: str | None = None, frames: slice = slice(None)) -> xarray.Dataset:
         """The root of the file in memory, as `xarray.open_dataset(path)` gives it, but whole frames only.
 
-        Needs xarray (extra `analysis`).
+        bodies: a pattern (`brick*`), all when not given; frames: which of them. Needs xarray (extra
+        `analysis`); `xarray.open_dataset(path)` itself reads no more than it is asked for.
         """
-        import xarray  # noqa: PLC0415, optional and slow to import
-
-        variables = {}
-        for path, found in self._datasets.items():
-            column = layout.BY_PATH[path]
-            if column.group or column.kind == "u1":
-                continue
-            data = self.series(path)[:] if "time" in column.dims else self.values(path)
-            attributes = {"units": column.units, "long_name": column.description}
-            variables[column.name] = (column.dims, data, attributes)
-            check_memory(self.path, math.prod(found.shape) * found.dtype.itemsize)
-        return xarray.Dataset(variables, attrs=dict(self._file.attrs))
+        return views.to_xarray(self, bodies, frames)
 
     def _read_attributes(self) -> None:
         self.status = self._last_word("status") or "running"
@@ -282,11 +360,7 @@ class Trajectory:
         return np.asarray(self.series(path)[:])
 
     def _table_over_time(self, group: str) -> Table:
-        return Table({column.name: self._over_time(column.path) for column in self._there(group)})
-
-    def _there(self, group: str) -> list[Column]:
-        """The columns of a group that the file has: an older one may lack some."""
-        return [column for column in columns_of(group) if column.path in self._datasets]
+        return Table({column.name: self._over_time(column.path) for column in self.columns_in(group)})
 
     def _names(self, path: str) -> tuple[str, ...]:
         return tuple(str(name) for name in self.values(path)) if path in self._datasets else ()

@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 from physsim.errors import FileTrouble
 from physsim.recording.safe import guarded
 from physsim.recording.target import in_words
+
+if TYPE_CHECKING:
+    import pandas
 
 Array = NDArray[Any]
 
@@ -97,6 +100,25 @@ class Table(Mapping[str, Array]):
     def rows(self) -> int:
         """How many rows every column has."""
         return len(next(iter(self._columns.values())))
+
+    def where(self, chosen: Array) -> Table:
+        """The rows that a mask (rows) or a list of row numbers picks."""
+        return Table({name: column[chosen] for name, column in self._columns.items()})
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """One row per row; a column of vectors becomes `force.x`, `force.y`, `force.z`.
+
+        Needs pandas (extra `analysis`).
+        """
+        import pandas  # noqa: PLC0415, optional and slow to import
+
+        flat: dict[str, Array] = {}
+        for name, column in self._columns.items():
+            parts = (
+                {f"{name}.{axis}": column[:, k] for k, axis in enumerate("xyz")} if column.ndim > 1 else {}
+            )
+            flat |= parts or {name: column}
+        return pandas.DataFrame(flat)
 
     def __repr__(self) -> str:
         return f"<{self.rows} rows of {', '.join(self._columns)}>"

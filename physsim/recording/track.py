@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from physsim.recording.series import Array, Series
+from physsim.recording import body_dynamics, contact_choice
+from physsim.recording.series import Array, Series, Table
 
 if TYPE_CHECKING:
     from physsim.recording.reader import Trajectory
@@ -62,3 +63,46 @@ class BodyTrack:
     @property
     def fixed(self) -> bool:
         return bool(self._trajectory.values("fixed")[self._index])
+
+    @property
+    def kinetic_energy(self) -> Array:
+        """Of translation and rotation, (T) J; 0 for a fixed body."""
+        return body_dynamics.kinetic_energy(self)
+
+    @property
+    def momentum(self) -> Array:
+        """m v, (T, 3) kg m/s; 0 for a fixed body."""
+        return body_dynamics.momentum(self)
+
+    @property
+    def angular_momentum(self) -> Array:
+        """About the body's own centre of mass, world axes, (T, 3) kg m2/s; 0 for a fixed body."""
+        return body_dynamics.angular_momentum(self)
+
+    @property
+    def center(self) -> Array:
+        """Where the centre of mass is, (T, 3) m."""
+        return body_dynamics.center(self)
+
+    @property
+    def contact_force(self) -> Array:
+        """Sum of the contact forces on it, in the step that ends at each frame, (T, 3) N.
+
+        Raises NotInFile when contacts were not recorded.
+        """
+        return contact_choice.force_on(self._trajectory, self.name, slice(None))
+
+    def contacts(self, other: str | None = None) -> Table:
+        """The contact points that it takes part in, in all frames; with `other`, those of the two."""
+        return self._trajectory.contacts(body=self.name, other=other)
+
+    def impacts(self, other: str | None = None) -> Table:
+        """The impacts that it takes part in, in the order of time; with `other`, those of the two."""
+        return contact_choice.between(self._trajectory.events, self.name, other)
+
+    def rest_time(self, speed: float = 1e-3, angular_speed: float = 1e-2) -> float | None:
+        """The time [s] of the first frame from which it stays this slow [m/s], [rad/s] to the end; None when
+        it moves in the last frame.
+        """
+        frame = body_dynamics.rest_frame(self, speed, angular_speed)
+        return None if frame is None else float(self._trajectory.time[frame])

@@ -4,6 +4,10 @@
     bodies.NAME.position | velocity | angular_velocity [.x | .y | .z]
     bodies.NAME.orientation [.w | .x | .y | .z]     unit quaternion
     bodies.NAME.speed | angular_speed               length of velocity, of angular_velocity
+    bodies.NAME.kinetic_energy                      of translation and rotation
+    bodies.NAME.momentum [.x | .y | .z]             mass times velocity
+    bodies.NAME.angular_momentum [.x | .y | .z]     about the body's own centre of mass
+    bodies.NAME.contact_force [.x | .y | .z]        sum of the contact forces on it in the last step
     springs.NAME.length | force                     of a linear spring; positive force pulls the ends together
     springs.NAME.angle | torque                     of a torsional spring; positive torque turns it back
     joints.NAME.force | torque [.x | .y | .z]       reaction on the first body, torque about the anchor
@@ -62,6 +66,10 @@ NAMED_FIELDS: dict[str, dict[str, Described]] = {
         "angular_velocity": (kinds.ANGULAR_SPEED, _XYZ),
         "speed": (kinds.SPEED, ()),
         "angular_speed": (kinds.ANGULAR_SPEED, ()),
+        "kinetic_energy": (kinds.ENERGY, ()),
+        "momentum": (kinds.LINEAR_MOMENTUM, _XYZ),
+        "angular_momentum": (kinds.ANGULAR_MOMENTUM, _XYZ),
+        "contact_force": (kinds.FORCE, _XYZ),
     },
     "springs": {
         "length": (kinds.LENGTH, ()),

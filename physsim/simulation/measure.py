@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from physsim.recording.orientation import rotation_matrices
+
 if TYPE_CHECKING:
     from physsim.model import Model
 
@@ -105,20 +107,6 @@ def origins(center: Floats, orientation: Floats, offset: Floats) -> Floats:
     """
     found: Floats = center - np.einsum("nij,nj->ni", rotation_matrices(orientation), offset)
     return found
-
-
-def rotation_matrices(q: Floats) -> Floats:
-    """R (N, 3, 3) of unit quaternions (N, 4), scalar first, body to world: v = R v_body.
-
-    R = (w² - u·u) 1 + 2 u uᵀ + 2 w [u]×, u the vector part; Diebel, "Representing Attitude" (2006), eq. 125.
-    """
-    w, u = q[:, 0], q[:, 1:]
-    cross = np.zeros((len(q), 3, 3))
-    cross[:, [2, 0, 1], [1, 2, 0]] = u
-    cross[:, [1, 2, 0], [2, 0, 1]] = -u
-    diagonal = (w**2 - (u**2).sum(axis=1))[:, None, None] * np.eye(3)
-    rotation: Floats = diagonal + 2 * u[:, :, None] * u[:, None, :] + 2 * w[:, None, None] * cross
-    return rotation
 
 
 def pair_rows(materials: int) -> NDArray[np.int32]:

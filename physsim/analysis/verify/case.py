@@ -70,8 +70,8 @@ class Case:
 class Formula:
     """A row of the formula sheet.
 
-    name: what `--case` takes; section: of the sheet, 1 to 8; title: in words; equation: as text.
-    source: author, year, equation. says: what the scene shows, for the page in the docs.
+    name: what `--case` takes; section: of the sheet, 1 to 8, or 9 for what is not on it; title: in words;
+    equation: as text; source: author, year, equation. says: what the scene shows, for the page in the docs.
     """
 
     name: str

@@ -8,6 +8,8 @@ from fnmatch import fnmatchcase
 
 from physsim.analysis.verify.case import Formula
 from physsim.analysis.verify.sections import (
+    beyond_forces,
+    beyond_joints,
     constraints,
     friction,
     impact,
@@ -27,6 +29,7 @@ SECTIONS = {
     6: "Inertia tensors",
     7: "Numerical integration",
     8: "Constraint forces and joints",
+    9: "Beyond the sheet",
 }
 FORMULAS: tuple[Formula, ...] = (
     *kinematics.SECTION,
@@ -37,6 +40,8 @@ FORMULAS: tuple[Formula, ...] = (
     *inertia.SECTION,
     *integration.SECTION,
     *constraints.SECTION,
+    *beyond_forces.SECTION,
+    *beyond_joints.SECTION,
 )
 
 

@@ -61,7 +61,7 @@ def _of_joint(quantity: Quantity, joint: Any) -> Trouble | None:
 
 
 def _not_recorded(quantity: Quantity, draft: Draft) -> Trouble | None:
-    switch = _RECORDED_BY.get(quantity.group)
+    switch = "contacts" if quantity.field == "contact_force" else _RECORDED_BY.get(quantity.group)
     if switch is None or draft.record is None or getattr(draft.record, switch):
         return None
     return f"is not recorded: record.{switch} is false", None
