@@ -372,9 +372,6 @@ impl Impacts {
             c.impulse = impulse;
             let p = c.to_world(impulse);
             c.impact_impulse += p;
-            if let Some(roll) = &mut c.roll {
-                roll.impact_impulse += q;
-            }
             let instant = self.instants[k];
             for (body, impulse, arm, turn) in
                 [(c.bodies.0, p, c.arms.0, q), (c.bodies.1, -p, c.arms.1, -q)]

@@ -37,8 +37,6 @@ pub struct Roll {
     k_coupling: (f64, f64),
     /// Angular impulse of the solve at hand, along the axes [N m s].
     pub impulse: DVec3,
-    /// Angular impulse of this step's impacts, in world axes [N m s].
-    pub impact_impulse: DVec3,
 }
 
 impl Roll {
@@ -71,7 +69,6 @@ impl Roll {
                 k: k.max(DVec3::splat(least)),
                 k_coupling: (spun.dot(one), spun.dot(two)),
                 impulse: DVec3::ZERO,
-                impact_impulse: DVec3::ZERO,
             })
         })
     }

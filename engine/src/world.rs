@@ -396,7 +396,7 @@ impl World {
                 let mean = 0.5 * (c.turning(&self.bodies) + self.solver.turning(c));
                 self.ledger.book(0.0, turned.dot(mean));
                 let driven = c.driven_turning(&self.bodies);
-                self.ledger.work_motors -= (turned + roll.impact_impulse).dot(driven);
+                self.ledger.work_motors -= turned.dot(driven);
             }
             *gap += ((1.0 - lead) * start.x + lead * u.x) * h;
             let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
