@@ -7,7 +7,7 @@ use crate::body::Body;
 use crate::contact::Contact;
 use crate::force::{Forces, Wrench};
 use crate::integrator::{free_accelerations, Scratch};
-use crate::joint::{Joints, Row};
+use crate::joint::{Ahead, Joints, Row};
 use crate::mover::Twist;
 
 /// Wrenches and accelerations of all bodies.
@@ -38,20 +38,20 @@ impl Loads {
         }
     }
 
-    /// Forces at the time, the accelerations that they give, and the rows of the joints for a step of `h`.
+    /// Forces at the start of a step, the accelerations that they give, and the rows of the joints for it.
     pub fn evaluate(
         &mut self,
         bodies: &[Body],
         (forces, joints, articulation): (&Forces, &Joints, &mut Articulation),
-        time: f64,
-        h: f64,
+        ahead: Ahead,
     ) {
+        let time = ahead.time;
         self.clear();
         forces.evaluate(bodies, time, &mut self.wrenches);
         joints.add_forces(bodies, time, &mut self.wrenches);
         free_accelerations(bodies, &self.wrenches, &mut self.free);
         if !articulation.is_empty() {
-            articulation.load(joints, bodies, time, h);
+            articulation.load(joints, bodies, ahead);
         }
         for (k, (a, body)) in self.free.iter_mut().zip(bodies).enumerate() {
             // A free body's contacts are solved with the angular momentum it will have and the inertia it has now.
@@ -63,13 +63,29 @@ impl Loads {
         articulation.hold(|row| -row.bias, &mut self.accelerations);
     }
 
+    /// Power of the forces that `evaluate` found, into bodies as they move now [W].
+    #[must_use]
+    pub fn power(&self, bodies: &[Body]) -> f64 {
+        let moving = bodies.iter().zip(&self.wrenches);
+        let of = |(b, w): (&Body, &Wrench)| {
+            w.force.dot(b.state.velocity) + w.torque.dot(b.angular_velocity)
+        };
+        moving.filter(|(b, _)| !b.is_fixed()).map(of).sum()
+    }
+
     fn clear(&mut self) {
         self.wrenches.clear();
         self.wrenches.resize(self.held.len(), Wrench::default());
     }
 
-    /// Impulses of contacts and drives become forces over the step.
-    pub fn hold(&mut self, contacts: &[Contact], articulation: &Articulation, h: f64) {
+    /// Impulses of contacts and drives become forces over the step. Drives that hold their coordinate still do not: they
+    /// are rows of the joints now.
+    pub fn hold(
+        &mut self,
+        contacts: &[Contact],
+        (joints, articulation): (&Joints, &Articulation),
+        h: f64,
+    ) {
         self.held.fill(Wrench::default());
         for c in contacts.iter().filter(|c| c.impulse != DVec3::ZERO) {
             let (force, torque) = (c.to_world(c.impulse) / h, c.turn() / h);
@@ -82,12 +98,13 @@ impl Loads {
             }
         }
         self.drive_forces.clear();
-        for (drive, impulse) in articulation
-            .drives()
-            .iter()
-            .zip(articulation.drive_impulses())
-        {
-            let force = impulse / h;
+        let impulses = articulation.drive_impulses();
+        for (k, (drive, impulse)) in articulation.drives().iter().zip(impulses).enumerate() {
+            let force = if joints.is_locked(k) {
+                0.0
+            } else {
+                impulse / h
+            };
             self.drive_forces.push(force);
             for end in drive.row.ends() {
                 self.held[end.body].force += end.linear * force;

@@ -14,7 +14,7 @@ use crate::contact::{Contact, Memory};
 use crate::force::{Forces, Potential, Powers};
 use crate::impact::{gap_change, Event, Impacts, Rules, Scene};
 use crate::integrator::Dynamics;
-use crate::joint::{Cause, JointState, Joints, Row};
+use crate::joint::{Ahead, Cause, JointState, Joints, Row};
 use crate::ledger::{Energies, Ledger};
 use crate::loads::{work_of_fixed, Loads};
 use crate::math::length;
@@ -108,7 +108,11 @@ impl World {
         let bodies = place_bodies(&model);
         let forces = Forces::new(model.forces, &bodies);
         let joints = Joints::new(model.joints, model.drives, &bodies);
-        let timestep = model.settings.timestep;
+        let ahead = Ahead {
+            time: 0.0,
+            timestep: model.settings.timestep,
+            lead: model.settings.integrator.lead(),
+        };
         let mut world = Self {
             broadphase: Broadphase::new(&model.geoms, &model.no_contact),
             noise: vec![0.0; bodies.len()],
@@ -117,7 +121,7 @@ impl World {
                 .iter()
                 .map(|g| 0.2 * g.shape.bounding_radius())
                 .collect(),
-            articulation: Articulation::new(&joints, &bodies, timestep),
+            articulation: Articulation::new(&joints, &bodies, ahead),
             paths: Paths::new(model.motions, &bodies),
             loads: Loads::new(bodies.len()),
             settings: model.settings,
@@ -193,10 +197,15 @@ impl World {
 
     /// Accelerations of bodies, as their joints allow them, and what drives and limits of joints ask for.
     pub(crate) fn evaluate_forces(&mut self, h: f64) {
-        let time = self.time();
-        self.paths.depart(&mut self.bodies, time, h);
+        let ahead = Ahead {
+            time: self.time(),
+            timestep: h,
+            lead: self.settings.integrator.lead(),
+        };
+        self.paths.depart(&mut self.bodies, ahead.time, h);
+        self.joints.release();
         let system = (&self.forces, &self.joints, &mut self.articulation);
-        self.loads.evaluate(&self.bodies, system, time, h);
+        self.loads.evaluate(&self.bodies, system, ahead);
     }
 
     /// Contacts of this step: points that are nearly touching, and points that will touch before the step ends, at
@@ -338,10 +347,50 @@ impl World {
             };
         }
         self.articulation.keep_holds();
-        self.loads.hold(&self.contacts, &self.articulation, h);
+        self.lock_joints();
+        let system = (&self.joints, &self.articulation);
+        self.loads.hold(&self.contacts, system, h);
         self.memory.store(&self.contacts, &self.bodies, h);
         self.note_contacts(h);
         self.note_drives(h);
+        self.arrest(true, h);
+        self.arrest(false, h);
+    }
+
+    /// Coordinates that a limit or friction brings to rest, or keeps there, are rows of the joints for this step.
+    fn lock_joints(&mut self) {
+        for (k, drive) in self.articulation.drives().iter().enumerate() {
+            if let Some(lock) = drive.lock.filter(|_| self.articulation.reaches(k)) {
+                self.joints.lock(k, lock);
+            }
+        }
+    }
+
+    /// What speed locked coordinates have is lost, to an impact against the limit or to friction.
+    fn arrest(&mut self, by_limit: bool, h: f64) {
+        if !self.joints.any_locked(by_limit) {
+            return;
+        }
+        self.articulation.load_bilateral(&self.joints, &self.bodies);
+        self.articulation.clear_impulses();
+        let rows = self.articulation.rows();
+        self.joints
+            .arrest(rows, &self.bodies, by_limit, &mut self.values);
+        let before = self.kinetic_energy(h);
+        self.articulation.kick(&mut self.bodies, &self.values);
+        let lost = before - self.kinetic_energy(h);
+        if by_limit {
+            self.ledger.lost_impact += lost;
+        } else {
+            self.ledger.lost_friction += lost;
+        }
+    }
+
+    /// Of the velocities v + a s dt / 2 on the integrator's parabola, see `impact.rs`, to first order in dt [J].
+    fn kinetic_energy(&self, h: f64) -> f64 {
+        let of = |b: &Body| b.kinetic_energy().0 + b.kinetic_energy().1;
+        let moving = self.bodies.iter().filter(|b| !b.is_fixed());
+        moving.map(of).sum::<f64>() + 0.5 * self.rules(h).offset() * self.loads.power(&self.bodies)
     }
 
     /// Where every contact's normal velocity is to go, its friction, and the impulse to begin with.
@@ -407,12 +456,13 @@ impl World {
     /// Work of motors, and what limits and dry friction take.
     fn note_drives(&mut self, h: f64) {
         let impulses = self.articulation.drive_impulses();
-        for (drive, &impulse) in self.articulation.drives().iter().zip(impulses) {
-            if drive.is_idle() {
+        for (k, (drive, &impulse)) in self.articulation.drives().iter().zip(impulses).enumerate() {
+            if drive.is_idle() || self.joints.is_locked(k) {
                 continue;
             }
             let mean = 0.5 * (drive.row.rate(&self.bodies) + self.solver.rate(&drive.row));
             let work = impulse * mean;
+            self.ledger.work_motors += work_of_fixed(&[drive.row], &[impulse], &self.bodies);
             match drive.cause {
                 Cause::Limit => self.ledger.book(work, 0.0),
                 Cause::Friction => self.ledger.book(0.0, work),

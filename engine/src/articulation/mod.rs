@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
 use crate::force::Wrench;
-use crate::joint::{Cause, DriveRow, End, Joints, Kind, Row};
+use crate::joint::{Ahead, Cause, DriveRow, End, Joints, Kind, Row};
 use crate::mover::{Moving, Twist};
 use assembly::{Assembly, Member};
 
@@ -125,9 +125,9 @@ pub struct Articulation {
 impl Articulation {
     /// Find out which joints hang together.
     #[must_use]
-    pub fn new(joints: &Joints, bodies: &[Body], timestep: f64) -> Self {
+    pub fn new(joints: &Joints, bodies: &[Body], ahead: Ahead) -> Self {
         let mut out = Self::default();
-        out.load(joints, bodies, 0.0, timestep);
+        out.load(joints, bodies, ahead);
         let members: Vec<Member> = (0..joints.len())
             .map(|j| {
                 let drives = out.drives.iter().enumerate().filter(|(_, d)| d.joint == j);
@@ -248,6 +248,14 @@ impl Articulation {
         Ok(())
     }
 
+    /// Drive row `k` pushes, and no more than it may: what it aims at is reached.
+    #[must_use]
+    pub fn reaches(&self, k: usize) -> bool {
+        let row = self.bilateral + k;
+        let pushes = self.drives[k].cause != Cause::Limit || self.impulses[row] > 0.0;
+        pushes && self.holds[row] == Hold::Free
+    }
+
     /// Drive rows as they were loaded.
     #[must_use]
     pub fn drives(&self) -> &[DriveRow] {
@@ -261,10 +269,10 @@ impl Articulation {
     }
 
     /// Rows at the present poses and velocities, and what the drives want of the step that begins.
-    pub fn load(&mut self, joints: &Joints, bodies: &[Body], time: f64, timestep: f64) {
+    pub fn load(&mut self, joints: &Joints, bodies: &[Body], ahead: Ahead) {
         joints.rows(bodies, &mut self.rows);
         self.bilateral = self.rows.len();
-        joints.drive_rows(bodies, time, timestep, &mut self.drives);
+        joints.drive_rows(bodies, ahead, &mut self.drives);
         self.rows.extend(self.drives.iter().map(|d| d.row));
         self.weigh(bodies);
     }

@@ -40,7 +40,7 @@ impl Dynamics<'_> {
         } else {
             self.held_drift(bodies, splitting, &wanted);
             self.note_reactions(1.0);
-            wanted.iter_mut().for_each(|c| *c *= 1.0 - self.beta);
+            self.joints.take_back(self.beta, &mut wanted);
             self.restore_positions(bodies, &wanted);
         }
         self.scratch.values = wanted;

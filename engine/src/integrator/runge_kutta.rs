@@ -121,7 +121,7 @@ impl Scheme {
 fn held_values(bodies: &[Body], d: &mut Dynamics) -> Vec<f64> {
     let mut wanted = std::mem::take(&mut d.scratch.values);
     d.joints.values(bodies, &mut wanted);
-    wanted.iter_mut().for_each(|c| *c *= 1.0 - d.beta);
+    d.joints.take_back(d.beta, &mut wanted);
     wanted
 }
 

@@ -1,9 +1,28 @@
 //! One-sided and bounded rows: motors that hold a speed, dry friction, limits.
 
 use super::joints::Joints;
+use super::lock::Lock;
 use super::model::{DriveModel, Motor};
 use super::row::Row;
 use crate::body::Body;
+
+/// A coordinate this near to its limit is there [rad or m].
+const REACHED: f64 = 1e-6;
+/// A coordinate this slow stands still, if nothing but rounding has moved it [rad/s or m/s].
+const STILL: f64 = 1e-6;
+/// A bounce slower than this is none [rad/s or m/s].
+const QUIET: f64 = 1e-9;
+
+/// The step to come.
+#[derive(Clone, Copy, Debug)]
+pub struct Ahead {
+    /// Its start [s].
+    pub time: f64,
+    /// Its length [s].
+    pub timestep: f64,
+    /// Weight of the velocity at its end in the displacement: x' - x = ((1 - lead) v + lead v') dt.
+    pub lead: f64,
+}
 
 /// What a drive row stands for, and so whose energy it moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +56,8 @@ pub struct DriveRow {
     /// Dry friction [N or N m] inside the bounds: of the work at the rate r it takes `friction` |r| for itself, the rest
     /// is the motor's.
     pub friction: f64,
+    /// Where the coordinate is held if this row brings it to rest within its bounds.
+    pub lock: Option<Lock>,
 }
 
 impl DriveRow {
@@ -56,7 +77,31 @@ impl DriveRow {
             cause,
             restitution: 0.0,
             friction: 0.0,
+            lock: None,
         }
+    }
+
+    /// Aim at a rate in the step to come, and not at what the row's turning with its bodies makes of it.
+    fn aimed(self, ahead: Ahead) -> Self {
+        Self {
+            target: self.target - ahead.timestep * self.row.bias,
+            ..self
+        }
+    }
+}
+
+/// Rate up to which a coordinate stands still: that of a row which turned while it was held by a constant force.
+fn still(row: &Row, ahead: Ahead) -> f64 {
+    STILL + ahead.timestep * row.bias.abs()
+}
+
+impl Ahead {
+    /// The rate at the end of the step that just closes a gap, from the rate at its start; never one that parts.
+    fn closing(self, gap: f64, rate: f64) -> f64 {
+        if self.lead == 0.0 {
+            return -gap / self.timestep; // this step's displacement is settled; the next one is to close the gap at most
+        }
+        ((-gap / self.timestep - (1.0 - self.lead) * rate) / self.lead).min(0.0)
     }
 }
 
@@ -132,18 +177,18 @@ fn grip(strength: f64, friction: f64, speed: f64, rate: f64, gain: f64) -> Grip 
 impl Joints {
     /// Two rows for each drive: motor with dry friction, then the nearer limit.
     ///
-    /// `time` [s] is that of the motors' profiles, `timestep` [s] the length of the step to come; rates are those of `bodies`.
-    pub fn drive_rows(&self, bodies: &[Body], time: f64, timestep: f64, out: &mut Vec<DriveRow>) {
+    /// Targets are rates of the end of the step, of the rows as they are in `bodies`: J(x') v' = J(x) v' + dt (dJ/dt) v.
+    pub fn drive_rows(&self, bodies: &[Body], ahead: Ahead, out: &mut Vec<DriveRow>) {
         out.clear();
         for drive in &self.drives {
-            if self.is_broken(drive.joint) || !(drive.grips() || drive.is_limited()) {
+            if self.is_broken(drive.joint) || !drive.can_lock() {
                 out.push(DriveRow::idle(drive.joint, drive.cause()));
                 out.push(DriveRow::idle(drive.joint, Cause::Limit));
                 continue;
             }
             let row = self.coordinate_row(drive.joint, drive.coordinate, bodies);
-            out.push(drive.motor_row(row, bodies, time, timestep));
-            out.push(drive.limit_row(row, bodies, timestep));
+            out.push(drive.motor_row(row, bodies, ahead).aimed(ahead));
+            out.push(drive.limit_row(row, bodies, ahead).aimed(ahead));
         }
     }
 }
@@ -158,6 +203,11 @@ impl DriveModel {
         self.limits.iter().any(|limit| limit.is_finite())
     }
 
+    /// It may hold its coordinate still.
+    pub(super) fn can_lock(&self) -> bool {
+        self.grips() || self.is_limited()
+    }
+
     fn cause(&self) -> Cause {
         match self.motor {
             Some(Motor::Speed { .. }) => Cause::Motor,
@@ -165,56 +215,72 @@ impl DriveModel {
         }
     }
 
-    fn motor_row(&self, row: Row, bodies: &[Body], time: f64, timestep: f64) -> DriveRow {
+    fn motor_row(&self, row: Row, bodies: &[Body], ahead: Ahead) -> DriveRow {
+        let end = ahead.time + ahead.timestep;
         let (speed, strength) = match self.motor {
-            Some(Motor::Speed { speed, max }) => (speed * self.factor(time).0, max),
+            Some(Motor::Speed { speed, max }) => (speed * self.factor(end).0, max),
             Some(Motor::Servo { .. }) | None => (0.0, 0.0),
         };
-        let gain = timestep * row.mobility(bodies);
-        let grip = grip(strength, self.friction, speed, row.rate(bodies), gain);
+        let (gain, rate) = (ahead.timestep * row.mobility(bodies), row.rate(bodies));
+        let grip = grip(strength, self.friction, speed, rate, gain);
+        let stands = grip.target == 0.0 && rate.abs() <= still(&row, ahead);
         DriveRow {
             row,
             lower: grip.lower,
             upper: grip.upper,
             target: grip.target,
             friction: self.friction,
+            lock: stands.then_some(Lock {
+                place: row.value,
+                arrives: false,
+                by_limit: false,
+            }),
             ..DriveRow::idle(self.joint, self.cause())
         }
     }
 
     /// The limit that would be passed first; pushes away from it only.
     ///
-    /// The target lets the coordinate come to the limit within the step and no further, -gap / timestep; beyond the limit it
-    /// is 0, and taking the overlap back is the business of stabilisation. With restitution e a coordinate that arrives
-    /// within the step is thrown back: -e rate. A coordinate that rests at its limit has the rate 0 and stays, because the
-    /// rate is the one before the forces of the step.
-    fn limit_row(&self, coordinate: Row, bodies: &[Body], timestep: f64) -> DriveRow {
+    /// With restitution e a coordinate that arrives within the step is thrown back: -e rate. Without, or where it is there
+    /// already, it comes to rest and is held. A coordinate that is still under way may come to the limit within the step
+    /// and no further.
+    fn limit_row(&self, coordinate: Row, bodies: &[Body], ahead: Ahead) -> DriveRow {
         let idle = DriveRow::idle(self.joint, Cause::Limit);
         let side = |row: Row, gap: f64| Row { value: gap, ..row };
         let [low, high] = self.limits;
         let to_low = side(coordinate, coordinate.value - low);
         let to_high = side(coordinate.scaled(-1.0), high - coordinate.value);
-        let rate = coordinate.rate(bodies);
-        let low_is_next = to_low.value + timestep * rate <= to_high.value - timestep * rate;
-        let (row, rate) = if low_is_next {
-            (to_low, rate)
+        let (rate, h) = (coordinate.rate(bodies), ahead.timestep);
+        let low_is_next = to_low.value + h * rate <= to_high.value - h * rate;
+        let (row, rate, place) = if low_is_next {
+            (to_low, rate, low)
         } else {
-            (to_high, -rate)
+            (to_high, -rate, high)
         };
         if !row.value.is_finite() {
             return idle;
         }
-        let arrives = rate < 0.0 && row.value + timestep * rate <= 0.0;
-        let target = if arrives && self.restitution > 0.0 {
+        let arrives = rate < 0.0 && row.value + h * rate <= 0.0;
+        let bounces = arrives && -self.restitution * rate > QUIET;
+        let there = row.value <= REACHED && rate <= still(&row, ahead);
+        let lock = (!bounces && (arrives || there)).then_some(Lock {
+            place,
+            arrives: row.value > 0.0,
+            by_limit: true,
+        });
+        let target = if bounces {
             -self.restitution * rate
+        } else if lock.is_some() {
+            0.0
         } else {
-            -row.value.max(0.0) / timestep
+            ahead.closing(row.value.max(0.0), rate)
         };
         DriveRow {
             row,
             upper: f64::INFINITY,
             target,
             restitution: self.restitution,
+            lock,
             ..idle
         }
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use super::testing::{at, body, join, world, Numbers};
-use super::{Cause, DriveModel, DriveRow, Joints, Kind, Motor};
+use super::{Ahead, Cause, DriveModel, DriveRow, Joints, Kind, Motor};
 use crate::body::Body;
 use crate::force::{Powers, Wrench};
 use crate::math::rotation_from_vector;
@@ -31,7 +31,12 @@ fn turned(angle: f64, rate: f64) -> Vec<Body> {
 
 fn rows(joints: &Joints, bodies: &[Body], time: f64) -> Vec<DriveRow> {
     let mut out = Vec::new();
-    joints.drive_rows(bodies, time, STEP, &mut out);
+    let ahead = Ahead {
+        time,
+        timestep: STEP,
+        lead: 1.0,
+    };
+    joints.drive_rows(bodies, ahead, &mut out);
     out
 }
 
@@ -67,7 +72,11 @@ fn the_limit_ahead_is_the_one_that_counts() {
         assert_eq!((limit.lower, limit.upper), (0.0, f64::INFINITY));
         assert!((limit.row.value - gap).abs() < 1e-14, "{angle} {rate}");
         assert!((limit.row.rate(&bodies) - row_rate).abs() < 1e-12);
-        assert!((limit.target + gap / STEP).abs() < 1e-12);
+        // It comes to the limit and no further; where it gets there of itself it is stopped and held there.
+        let arrives = rate * STEP > gap;
+        let target = if arrives { 0.0 } else { -gap / STEP };
+        assert!((limit.target - target).abs() < 1e-12);
+        assert_eq!(limit.lock.map(|lock| lock.place), arrives.then_some(1.0));
     }
 }
 
@@ -76,6 +85,31 @@ fn beyond_a_limit_the_way_back_is_left_to_stabilisation() {
     let limit = rows(&limited(0.0), &turned(1.2, 0.0), 0.0)[1];
     assert!((limit.row.value + 0.2).abs() < 1e-14);
     assert!(limit.target.abs() < 1e-15);
+    let held = limit.lock.unwrap();
+    assert!(held.by_limit && !held.arrives && held.place == 1.0);
+}
+
+/// Held, the coordinate is a row of its joint; free again, the row holds nothing.
+#[test]
+fn a_locked_coordinate_is_a_row_of_its_joint() {
+    let mut joints = limited(0.0);
+    let bodies = turned(0.999, 3.0);
+    let lock = rows(&joints, &bodies, 0.0)[1].lock.unwrap();
+    assert_eq!(joints.rows_of(0), 0..6);
+    joints.lock(1, lock);
+    assert!(joints.is_locked(1) && !joints.is_locked(0));
+    let mut found = Vec::new();
+    joints.rows(&bodies, &mut found);
+    assert!((found[5].value + 0.001).abs() < 1e-14);
+    let mut missing = Vec::new();
+    joints.arrest(&found, &bodies, true, &mut missing);
+    assert!(missing[..5].iter().all(|m| *m == 0.0) && (missing[5] + 3.0).abs() < 1e-14);
+    let mut values = vec![0.1; 6];
+    joints.take_back(0.5, &mut values);
+    assert_eq!(values, [0.05, 0.05, 0.05, 0.05, 0.05, 0.0]);
+    joints.release();
+    joints.rows(&bodies, &mut found);
+    assert_eq!((found.len(), found[5].count), (6, 0));
 }
 
 #[test]
@@ -116,10 +150,11 @@ fn a_motor_follows_its_profile() {
         profile: Some(Arc::new(Profile::Ramp { over: 2.0 })),
         ..DriveModel::free(0, 0)
     });
-    let motor = rows(&joints, &turned(0.0, 2.0), 1.0)[0];
+    // Its target is the speed at the end of the step.
+    let motor = rows(&joints, &turned(0.0, 2.0), 1.0 - STEP)[0];
     assert_eq!(motor.cause, Cause::Motor);
     assert_eq!((motor.lower, motor.upper), (-51.0, 49.0));
-    assert_eq!((motor.target, motor.friction), (2.0, 1.0));
+    assert!((motor.target - 2.0).abs() < 1e-15 && motor.friction == 1.0);
     assert!((motor.row.rate(&turned(0.0, 2.0)) - 2.0).abs() < 1e-14);
 }
 

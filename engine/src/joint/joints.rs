@@ -7,6 +7,7 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::layout::Equation;
+use super::lock::Lock;
 use super::measure::Measure;
 use super::model::{DriveModel, JointModel, Kind};
 use super::placement::{Motion, Mount, Placement};
@@ -30,6 +31,8 @@ pub(super) struct Joint {
     first_row: usize,
     /// Its first coordinate among all.
     first_coordinate: usize,
+    /// Drives that can hold their coordinate still; each has a row behind the equations.
+    lockable: Vec<usize>,
 }
 
 impl Joint {
@@ -40,6 +43,14 @@ impl Joint {
     fn coordinates(&self) -> &'static [Measure] {
         self.model.kind.layout().coordinates
     }
+
+    pub(super) fn lockable(&self) -> &[usize] {
+        &self.lockable
+    }
+
+    fn row_count(&self) -> usize {
+        self.equations().len() + self.lockable.len()
+    }
 }
 
 /// The joints of a world and their drives.
@@ -47,6 +58,8 @@ impl Joint {
 pub struct Joints {
     pub(super) joints: Vec<Joint>,
     pub(super) drives: Vec<DriveModel>,
+    /// Of each drive, in the step at hand.
+    pub(super) locks: Vec<Option<Lock>>,
     state: JointState,
 }
 
@@ -67,15 +80,17 @@ impl Joints {
         }
         let (mut row, mut coordinate) = (0, 0);
         let mut joints = Vec::with_capacity(models.len());
-        for model in models {
+        for (j, model) in models.into_iter().enumerate() {
+            let locks = |k: &usize| drives[*k].joint == j && drives[*k].can_lock();
             let mount = |k: usize| Mount::new(model.bodies[k], model.anchors[k], model.frames[k]);
             let joint = Joint {
                 mounts: [mount(0), mount(1)],
                 model,
                 first_row: row,
                 first_coordinate: coordinate,
+                lockable: (0..drives.len()).filter(locks).collect(),
             };
-            row += joint.equations().len();
+            row += joint.row_count();
             coordinate += joint.coordinates().len();
             joints.push(joint);
         }
@@ -85,6 +100,7 @@ impl Joints {
         };
         let mut all = Self {
             joints,
+            locks: vec![None; drives.len()],
             drives,
             state,
         };
@@ -110,25 +126,32 @@ impl Joints {
         &self.joints[j].model
     }
 
-    /// The bilateral rows of joint `j` among those of `rows`.
+    /// The bilateral rows of joint `j` among those of `rows`: its equations, then those of coordinates that can be held.
     #[must_use]
     pub fn rows_of(&self, j: usize) -> Range<usize> {
         let joint = &self.joints[j];
-        joint.first_row..joint.first_row + joint.equations().len()
+        joint.first_row..joint.first_row + joint.row_count()
     }
 
-    /// All bilateral rows, joint after joint. A broken joint's rows hold nothing.
+    /// All bilateral rows, joint after joint. Those of a broken joint and of a coordinate that is not held hold nothing.
     pub fn rows(&self, bodies: &[Body], out: &mut Vec<Row>) {
         out.clear();
         for (j, joint) in self.joints.iter().enumerate() {
             if self.state.broken[j] {
-                out.extend(joint.equations().iter().map(|_| Row::default()));
+                out.resize(out.len() + joint.row_count(), Row::default());
                 continue;
             }
             let at = Placement::new(&joint.mounts, bodies);
             let motion = Motion::new(&at, bodies);
             for &equation in joint.equations() {
                 out.push(self.row(joint, equation, &at, &motion, bodies));
+            }
+            for &k in joint.lockable() {
+                out.push(self.locks[k].map_or_else(Row::default, |lock| {
+                    let mut row = self.placed_row(joint, self.drives[k].coordinate, &at, &motion);
+                    row.value -= lock.place;
+                    row
+                }));
             }
         }
     }
@@ -138,12 +161,17 @@ impl Joints {
         out.clear();
         for (j, joint) in self.joints.iter().enumerate() {
             if self.state.broken[j] {
-                out.extend(joint.equations().iter().map(|_| 0.0));
+                out.resize(out.len() + joint.row_count(), 0.0);
                 continue;
             }
             let at = Placement::new(&joint.mounts, bodies);
             for &equation in joint.equations() {
                 out.push(self.value(joint, equation, &at, bodies));
+            }
+            for &k in joint.lockable() {
+                let off =
+                    |lock: Lock| self.placed(joint, self.drives[k].coordinate, &at) - lock.place;
+                out.push(self.locks[k].map_or(0.0, off));
             }
         }
     }

@@ -7,6 +7,7 @@ mod check;
 mod drive;
 mod joints;
 mod layout;
+mod lock;
 mod measure;
 mod model;
 mod placement;
@@ -14,8 +15,9 @@ mod pull;
 mod row;
 
 pub use check::check;
-pub use drive::{Cause, DriveRow};
+pub use drive::{Ahead, Cause, DriveRow};
 pub use joints::{JointState, Joints};
+pub use lock::Lock;
 pub use model::{DriveModel, JointModel, Kind, Motor};
 pub use row::{End, Row};
 
