@@ -21,14 +21,15 @@ WIDTH, HEIGHT = 5.0, 3.4
 """Of one panel [inch]."""
 LETTERS = 70
 """Of one panel's width, in the title's type."""
+MOST_CURVES = 3
+"""Panels of a formula that is not refined."""
 MARKERS = "osv^x+"
 
 
 def draw_formula(formula: Formula, verdicts: Sequence[Verdict], file: Path) -> None:
-    """One panel for the best comparison over time, one for convergence where there is one.
+    """The best curve and the convergence of a formula that is refined; else its first curves, or bars.
 
-    file: its suffix says the format; the same verdicts give the same bytes of an SVG. Where there is
-    neither a curve nor convergence, theory and measured values are drawn side by side. Needs matplotlib
+    file: its suffix says the format; the same verdicts give the same bytes of an SVG. Needs matplotlib
     (extra `plot`).
     """
     import matplotlib as mpl  # noqa: PLC0415, optional and slow to import
@@ -50,12 +51,12 @@ def _panels(verdicts: Sequence[Verdict]) -> list[tuple[Draw, Sequence[Verdict]]]
     """What is drawn side by side, and by whom."""
     curves = [v for v in verdicts if np.any(v.law) and len(v.law) == len(v.time)]
     refined = [verdict for verdict in verdicts if verdict.check.order is not None and len(verdict.errors) > 1]
-    panels: list[tuple[Draw, Sequence[Verdict]]] = []
-    if curves:
-        panels.append((draw_curve, [min(curves, key=lambda verdict: verdict.error)]))
+    if refined and curves:
+        best = min(curves, key=lambda verdict: verdict.error)
+        return [(draw_curve, [best]), (draw_convergence, refined)]
     if refined:
-        panels.append((draw_convergence, refined))
-    return panels or [(draw_values, verdicts)]
+        return [(draw_convergence, refined)]
+    return [(draw_curve, [curve]) for curve in curves[:MOST_CURVES]] or [(draw_values, verdicts)]
 
 
 def draw_curve(axes: Axes, verdicts: Sequence[Verdict]) -> None:

@@ -138,7 +138,7 @@ STABILISATION = Formula(
     equation="λ = −(Ċ + β/dt C)/K;  C_n = (1 − β)ⁿ C₀",
     source="Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1; Catto, GDC 2006 and 2009",
     says="Two balls at rest on a rod that is too short. Both ways take the error back by β a step; "
-    "Baumgarte makes kinetic energy of it, split impulse none.",
+    "Baumgarte makes kinetic energy of it (of 10 cm, at 1 ms and β = 0.2, 100 J), split impulse none.",
     cases=(
         Case(
             "stabilization.baumgarte",
