@@ -418,6 +418,8 @@ impl Impacts {
             self.work.1 += c.impulse.y * mean.y + c.impulse.z * mean.z;
             let turning = 0.5 * (self.turning[slot] + self.elastic.turning[slot]);
             self.work.1 += self.elastic.turns[slot].dot(turning);
+            self.driven_work -= c.to_world(c.impulse).dot(c.driven(scene.bodies))
+                + self.elastic.turns[slot].dot(c.driven_turning(scene.bodies));
             if c.impulse.x <= 0.0 {
                 continue;
             }

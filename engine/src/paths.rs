@@ -28,10 +28,16 @@ impl Paths {
         self.motions.is_empty()
     }
 
-    /// For the step from `time` on, bodies get the velocity that takes them straight to where they are to be at its end.
-    pub fn depart(&self, bodies: &mut [Body], time: f64, h: f64) {
+    /// For the step from `time` on, bodies get the velocity that a contact is to follow at the end of it. A scheme whose
+    /// displacements are those of the velocity at the end (`lead` 1) follows the mean velocity of the step, the others
+    /// follow the velocity of the instant.
+    pub fn depart(&self, bodies: &mut [Body], time: f64, h: f64, lead: f64) {
         for (motion, start) in self.motions.iter().zip(&self.starts) {
             let body = &mut bodies[motion.body()];
+            if lead < 1.0 {
+                (body.state.velocity, body.angular_velocity) = motion.velocity(start, time + h);
+                continue;
+            }
             let (position, orientation) = motion.pose(start, time + h);
             body.state.velocity = (position - body.state.position) / h;
             let turn = orientation * body.state.orientation.conjugate();

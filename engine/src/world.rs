@@ -202,7 +202,8 @@ impl World {
             timestep: h,
             lead: self.settings.integrator.lead(),
         };
-        self.paths.depart(&mut self.bodies, ahead.time, h);
+        self.paths
+            .depart(&mut self.bodies, ahead.time, h, ahead.lead);
         self.joints.release();
         let system = (&self.forces, &self.joints, &mut self.articulation);
         self.loads.evaluate(&self.bodies, system, ahead);
