@@ -10,7 +10,8 @@ import click
 
 EXIT_CODES = {
     0: "done",
-    1: "the run failed (blow-up, NaN), a formula of `verify` is off, or an internal error",
+    1: "the run failed (blow-up, NaN), a formula of `verify` is off, `diff` found a difference, or an "
+    "internal error",
     2: "wrong usage, or the scene is not valid",
     3: "file trouble: missing, exists without --force, not readable, disk full",
     4: "the run is complete, but an expectation of the scene failed",

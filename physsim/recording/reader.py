@@ -307,6 +307,10 @@ class Trajectory:
                 self._values[path] = np.asarray(found.asstr()[()] if text else found[()])
         return self._values[path]
 
+    def has(self, path: str) -> bool:
+        """Whether the file has a dataset of this path."""
+        return path in self._datasets
+
     def columns_in(self, group: str) -> list[Column]:
         """The table's columns of a group ("" for the root) that the file has: an older one may lack some.
 

@@ -12,6 +12,7 @@ import physsim
 from physsim.errors import FileTrouble, SceneError
 from physsim.recording import Target, Trajectory, open_trajectory
 from physsim.recording.checkpoint import Checkpoint
+from physsim.scene.unequal import unequal
 
 if TYPE_CHECKING:
     from physsim.model import Model
@@ -55,17 +56,11 @@ def find_resumable(target: Target, scene: Scene, model: Model) -> Resumable | No
     return None
 
 
-def differences(before: Any, after: Any, path: str = "") -> Iterator[str]:
+def differences(before: Any, after: Any) -> Iterator[str]:
     """`bodies.ball.position[2]: 1.0 in the file, 2.0 in the scene`, for every value that differs."""
-    if isinstance(before, dict) and isinstance(after, dict):
-        for key in [*before, *(key for key in after if key not in before)]:
-            inner = f"{path}.{key}" if path else str(key)
-            yield from differences(before.get(key), after.get(key), inner)
-    elif isinstance(before, list | tuple) and isinstance(after, list | tuple) and len(before) == len(after):
-        for index, (old, new) in enumerate(zip(before, after, strict=True)):
-            yield from differences(old, new, f"{path}[{index}]")
-    elif before != after and path not in FREE_TO_DIFFER:
-        yield f"{path}: {_shown(before)} in the file, {_shown(after)} in the scene"
+    for path, old, new in unequal(before, after):
+        if path not in FREE_TO_DIFFER:
+            yield f"{path}: {_shown(old)} in the file, {_shown(new)} in the scene"
 
 
 def _shown(value: Any) -> str:

@@ -28,7 +28,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_examples_of_the_manual_page(folder: Path, verb: str) -> None:
     if verb != "new":
         assert answer(["new", "my_scene"]) == 0
-    if verb == "info":
+    if verb in {"info", "diff", "plot", "export"}:
         assert answer(["run", "my_scene.yaml", "--quiet"]) == 0
     environment = clean_environment()
     environment["PATH"] = f"{folder / 'bin'}:{environment['PATH']}"

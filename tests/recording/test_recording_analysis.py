@@ -1,7 +1,7 @@
-"""What a trajectory offers beyond its datasets: selection, resampling, what follows from motion and contacts.
+"""What a trajectory offers beyond its datasets: selection, resampling, what follows from its numbers.
 
-The made-up run has known numbers in every place; formulas are held against numpy written out or against rotations
-of scipy.
+The made-up run has known numbers in every place; formulas are held against numpy written out or against
+rotations of scipy.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def test_straight_lines_between_frames(made_up: Trajectory) -> None:
     np.testing.assert_allclose(found[:, 1], [501.0, 1.0, 39001.0, 12341.0], rtol=1e-12)
     assert made_up.resample("energy.kinetic", []).shape == (0,)
     for times in ([0.4], [-1e-9]):
-        with pytest.raises(ValueError, match="within 0 s to 0.39 s"):
+        with pytest.raises(ValueError, match=r"within 0 s to 0\.39 s"):
             made_up.resample("time", times)
 
 

@@ -145,7 +145,7 @@ class _Track:
 
     def divergences(self, times: Floats, frames: Rows) -> list[Divergence]:
         """The rows that differ beyond the tolerance; of those that begin in one frame the largest first."""
-        rows = np.flatnonzero(self._first >= 0)
+        rows = np.flatnonzero(self._first >= 0).tolist()
         order = sorted(rows, key=lambda row: (self._first[row], -self._first_difference[row]))
         unit = "rad" if self.pair.path == "orientation" else self.pair.unit
         return [

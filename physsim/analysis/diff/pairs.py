@@ -72,8 +72,10 @@ def common_pairs(a: Trajectory, b: Trajectory) -> list[Pair]:
             told = [f"{_WORDS[word]}.{name}.{field}" for name in names]
             found.append(Pair(path, told, rows_a, rows_b))
     for group in _OF_SCENE:
-        paths = [path for path, column in BY_PATH.items() if column.group == group]
-        found += [Pair(path, [path.replace("/", ".")]) for path in paths if a.has(path) and b.has(path)]
+        both = [
+            path for path, column in BY_PATH.items() if column.group == group and a.has(path) and b.has(path)
+        ]
+        found += [Pair(path, [path.replace("/", ".")]) for path in both]
     return [*found, Pair("solver/contact_count", ["contacts.count"])]
 
 
