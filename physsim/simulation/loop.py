@@ -6,10 +6,11 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import Any, Protocol
 
-from physsim.recording import Recorder
+from physsim._engine import Diverged, EngineError
 from physsim.recording.layout import Status
-from physsim.simulation.measure import Measure, Rows
+from physsim.simulation.measure import Rows
 from physsim.simulation.progress import Progress, Throttle
 from physsim.simulation.stop import StopRequest
 from physsim.simulation.world import Simulated
@@ -49,16 +50,39 @@ class Ending:
     detail: str
 
 
+class Measuring(Protocol):
+    """Turns what the engine hands out into rows by dataset path: `Measure`, or a `Watch` of less."""
+
+    def frame(self, world: Any) -> Rows: ...
+    def contacts(self, world: Any) -> Rows: ...
+    def events(self, world: Any) -> Rows: ...
+
+
+class Keeping(Protocol):
+    """Takes rows as they come: the `Recorder` of a file, or a `Memory`."""
+
+    @property
+    def frames(self) -> int: ...
+    @property
+    def block_is_full(self) -> bool: ...
+    @property
+    def checkpoint_is_due(self) -> bool: ...
+    def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None: ...
+    def append_events(self, events: Rows) -> None: ...
+    def write_block(self) -> None: ...
+    def write_checkpoint(self, engine: bytes, step: int) -> None: ...
+
+
 class Loop:
     """One run from its present step to its end. `step` is where it is."""
 
     def __init__(
         self,
         simulated: Simulated,
-        measure: Measure,
+        measure: Measuring,
         schedule: Schedule,
         *,
-        recorder: Recorder,
+        recorder: Keeping,
         report: Throttle,
         record_contacts: bool,
         step: int = 0,
@@ -93,6 +117,17 @@ class Loop:
                 return self._ended("complete", f"at rest at {self.time:g} s")
             self._advance_to_frame(stop)
         return self._ended("complete", f"ran to its end at {self.time:g} s")
+
+    def run_to_its_end(self, stop: StopRequest, body_names: tuple[str, ...]) -> Ending:
+        """As `run`; a motion that blows up, or an engine that fails, is an ending too."""
+        try:
+            return self.run(stop)
+        except Diverged as error:
+            body, moment = error.args
+            blown_up = f"its motion blew up at {moment:g} s (not finite, or far too fast)"
+            return Ending("failed", f"bodies.{body_names[body]}: {blown_up}")
+        except EngineError as error:
+            return Ending("failed", str(error))
 
     def checkpoint(self) -> bytes:
         """The engine as it is, with the impacts up to here handed to the recorder."""

@@ -56,7 +56,7 @@ class Measure:
             "velocity": state["velocity"],
             "angular_velocity": state["angular_velocity"],
             **{f"solver/{name}": solver[name] for name in _OF_THE_SOLVER},
-            **self._momentum(state),
+            **self.momentum(state),
         }
         if self._energy:
             rows |= {f"energy/{name}": value for name, value in world.energies().items()}
@@ -87,7 +87,7 @@ class Measure:
         """Impacts since the last call, one row each."""
         return {f"events/{name}": rows for name, rows in world.events().items()}
 
-    def _momentum(self, state: dict[str, Any]) -> dict[str, Floats]:
+    def momentum(self, state: dict[str, Any]) -> dict[str, Floats]:
         """P = sum m v and, about the world's origin, L = sum (m x × v + R I R^T ω), over moving bodies.
 
         Goldstein, Classical Mechanics, 3rd ed., eqs. 1.26 and 1.28.

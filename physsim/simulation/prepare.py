@@ -49,7 +49,7 @@ def prepare(
     for problem in model.warnings:
         told(problem)
     target = Target(Path(output) if output is not None else _default_output(loaded))
-    return Prepared(loaded, model, _schedule(loaded), target, told)
+    return Prepared(loaded, model, schedule_of(loaded), target, told)
 
 
 def _loaded(
@@ -87,7 +87,8 @@ def _default_output(scene: Scene) -> Path:
     return Path(scene.path.stem + ".h5")
 
 
-def _schedule(scene: Scene) -> Schedule:
+def schedule_of(scene: Scene) -> Schedule:
+    """When frames are due, and how many steps there are."""
     simulation = scene.spec.simulation
     return Schedule(
         timestep=simulation.timestep,

@@ -7,7 +7,6 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from physsim._engine import Diverged, EngineError
 from physsim.errors import FileTrouble, PhyssimError, RunFailed
 from physsim.recording import Recorder, Trajectory, open_trajectory, recorded
 from physsim.simulation.about import fixed_values, now, root_attributes
@@ -153,17 +152,9 @@ def _columns(scene: Scene) -> tuple[Column, ...]:
 
 
 def _ending(loop: Loop, stop: StopRequest, recorder: Recorder, model: Model) -> Ending:
-    """How the loop ended; a blow-up or a failing engine is an ending too."""
+    """How the loop ended; what nobody foresaw is written into the file before it is raised."""
     try:
-        return loop.run(stop)
-    except Diverged as error:
-        body, moment = error.args
-        name = model.body_names[body]
-        return Ending(
-            "failed", f"bodies.{name}: its motion blew up at {moment:g} s (not finite, or far too fast)"
-        )
-    except EngineError as error:
-        return Ending("failed", str(error))
+        return loop.run_to_its_end(stop, model.body_names)
     except FileTrouble:
         raise
     except BaseException as error:

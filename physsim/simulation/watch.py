@@ -1,0 +1,159 @@
+"""`watch`: runs a scene without a file and keeps in memory only what is asked for.
+
+A sweep of small scenes would spend most of its time on files: making one costs more than thousands of steps.
+What is kept here has the same bits as what a file would hold, at the same frames.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from physsim.simulation.loop import Ending, Loop
+from physsim.simulation.measure import Measure, Rows
+from physsim.simulation.prepare import schedule_of
+from physsim.simulation.progress import Throttle
+from physsim.simulation.stop import Interrupted, StopRequest
+from physsim.simulation.watched import Watched
+from physsim.simulation.world import build
+
+if TYPE_CHECKING:
+    from physsim.model import Model
+    from physsim.scene import Scene
+    from physsim.scene.quantity import Quantity
+
+BODY_FIELDS = ("position", "orientation", "velocity", "angular_velocity")
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What of a run is wanted.
+
+    quantities: by name; bodies: names of those whose motion is looked at besides; events: the impacts;
+    contacts: who touches whom in every frame.
+    """
+
+    quantities: tuple[Quantity, ...] = ()
+    bodies: frozenset[str] = frozenset()
+    events: bool = False
+    contacts: bool = False
+
+    @property
+    def groups(self) -> frozenset[str]:
+        """Parts of the trajectory that the quantities are in."""
+        return frozenset(quantity.group for quantity in self.quantities)
+
+    @property
+    def body_names(self) -> frozenset[str]:
+        """All bodies that are looked at."""
+        return self.bodies | {str(some.name) for some in self.quantities if some.group == "bodies"}
+
+    @property
+    def needs_contacts(self) -> bool:
+        """Whether contacts are looked at, also for the forces that they put on a body."""
+        return self.contacts or any(some.field == "contact_force" for some in self.quantities)
+
+
+def watch(scene: Scene, model: Model, wanted: Wanted) -> Watched:
+    """Steps a scene to its end and returns what was wanted of it, frame by frame.
+
+    A motion that blows up is an ending (`status` "failed"), as in a file. Raises RunFailed when the engine
+    refuses the model, Interrupted on Ctrl-C or SIGTERM.
+    """
+    simulated = build(model)
+    memory = Memory()
+    loop = Loop(
+        simulated,
+        Watch(model, wanted),
+        schedule_of(scene),
+        recorder=memory,
+        report=Throttle(None),
+        record_contacts=wanted.needs_contacts,
+    )
+    with StopRequest() as stop:
+        ending = loop.run_to_its_end(stop, model.body_names)
+    if ending.status == "interrupted":
+        raise Interrupted(ending.detail)
+    impacts = Measure.events(simulated.world) if wanted.events else {}
+    return _watched(model, memory, wanted, ending, impacts)
+
+
+class Watch:
+    """Measures, of every frame, what is wanted and nothing else."""
+
+    def __init__(self, model: Model, wanted: Wanted) -> None:
+        self._measure = Measure(model)
+        self._groups = wanted.groups
+        self._rows = [row for row, name in enumerate(model.body_names) if name in wanted.body_names]
+
+    def frame(self, world: Any) -> Rows:
+        """Rows by dataset path; of bodies only those that are watched, at their centres of mass."""
+        rows: Rows = {}
+        if self._rows or "momentum" in self._groups:
+            state = world.state()
+            if self._rows:
+                rows |= {name: state[name][self._rows] for name in BODY_FIELDS}
+            if "momentum" in self._groups:
+                rows |= self._measure.momentum(state)
+        if "energy" in self._groups:
+            rows |= {f"energy/{name}": value for name, value in world.energies().items()}
+        if self._groups & {"contacts", "solver"}:
+            rows |= {f"solver/{name}": value for name, value in world.solver().items()}
+        for group in self._groups & {"joints", "springs"}:
+            rows |= {f"{group}/{name}": row for name, row in getattr(world, group)().items()}
+        return rows
+
+    def contacts(self, world: Any) -> Rows:
+        """The contact points of the last step."""
+        return self._measure.contacts(world)
+
+    @staticmethod
+    def events(world: Any) -> Rows:
+        """None while the run goes on: the engine keeps them, and is asked for all of them at the end."""
+        return {}
+
+
+class Memory:
+    """Keeps rows as they come; there is nothing to be saved."""
+
+    block_is_full = False
+    checkpoint_is_due = False
+
+    def __init__(self) -> None:
+        self.time: list[float] = []
+        self.rows: list[Rows] = []
+        self.contacts: list[Rows] = []
+
+    @property
+    def frames(self) -> int:
+        return len(self.time)
+
+    def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None:
+        self.time.append(frame_time)
+        self.rows.append(frame)
+        if contacts is not None:
+            self.contacts.append(contacts)
+
+    def append_events(self, events: Rows) -> None:
+        """Nothing comes before the end, see `Watch.events`."""
+
+    def write_block(self) -> None:
+        """No file, no block."""
+
+    def write_checkpoint(self, engine: bytes, step: int) -> None:
+        """No file, no checkpoint."""
+
+
+def _watched(model: Model, memory: Memory, wanted: Wanted, ending: Ending, impacts: Rows) -> Watched:
+    return Watched(
+        time=np.array(memory.time),
+        status=ending.status,
+        status_detail=ending.detail,
+        names=tuple(name for name in model.body_names if name in wanted.body_names),
+        model=model,
+        columns={path: np.array([frame[path] for frame in memory.rows]) for path in memory.rows[0]},
+        touching=memory.contacts,
+        impacts=impacts,
+    )
