@@ -249,6 +249,21 @@ def test_a_turntable_takes_a_ball_along():
     assert abs(books["residual"]) < 1e-9
 
 
+@pytest.mark.parametrize(("scheme", "impacts"), [("semi_implicit_euler", "stepped"), ("rk4", "located")])
+def test_a_turntable_works_in_impacts_too(scheme, impacts):
+    """The same with a ball that bounces on the axis until it turns with the table."""
+    text = (
+        "  table: {fixed: true, shape: {type: halfspace}, material: stuff,\n"
+        "          motion: {angular_velocity: [0, 0, 4]}}\n"
+    )
+    text += body("ball", BALL, mass=MASS, position=(0, 0, 0.3))
+    ball = room(text, spinning=0.001, mu=0.0, e=0.6, scheme=scheme, impacts=impacts).run(3.0)
+    books = ball.world.energies()
+    # measured 1e-12
+    assert books["work_motors"] == pytest.approx(0.4 * MASS * RADIUS**2 * 4.0**2, rel=1e-9)
+    assert abs(books["residual"]) < 1e-9
+
+
 def test_between_bodies_the_angular_momentum_stays():
     """A ball spins on a plate that slides freely: what one loses the other gets, until they turn as one."""
     plate = body("plate", "type: box, size: [0.4, 0.4, 0.1]", mass=3.0, position=(0, 0, 0.05))
