@@ -22,7 +22,7 @@ const NOW: f64 = 1e-8;
 const NOTHING: f64 = 1e-12;
 /// Trial steps towards one impact at most.
 const TRIALS: usize = 8;
-/// A gap this small is closed [m].
+/// An overlap this small is none [m].
 const CLOSED: f64 = 1e-13;
 
 /// The next touching.
@@ -96,7 +96,8 @@ impl World {
             .min_by(|a, b| a.instant.total_cmp(&b.instant))
     }
 
-    /// Move on to the instant of touching, or to the end of the step where it turns out to lie behind it.
+    /// Move on to the instant of touching. Where the gap is still open then, the search goes on from there: no other pair
+    /// touches earlier, and one that only grazes must not take the world past the others.
     fn approach_touch(
         &mut self,
         touch: &Touch,
@@ -110,18 +111,18 @@ impl World {
             .retain(|c| touching_instant(c, bodies, accelerations, &rules).is_infinite());
         let start = self.mark();
         let mut h = touch.instant;
-        for _ in 0..TRIALS {
+        for trial in 1..=TRIALS {
             self.evaluate_forces(h);
             self.finish(h);
             let Some(gap) = self.gap_between(touch.geoms, oracle)? else {
                 break;
             };
-            let next = (h + gap / touch.speed).min(left);
-            if gap.abs() <= CLOSED || next <= 0.0 || (next - h).abs() <= 1e-15 * h {
+            if gap >= -CLOSED || trial == TRIALS {
                 break;
             }
             self.rewind(&start);
-            h = next;
+            let next = h + gap / touch.speed;
+            h = if next > 0.0 { next } else { 0.5 * h };
         }
         self.passed += h;
         Ok(())

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from physsim.model.compile import compile_scene
 from physsim.model.geom import GeomKind
+from physsim.model.mesh_form import MeshMemory
 from physsim.model.model import GeomTable, Model
 from physsim.model.pair_table import PairTable
 
-__all__ = ["GeomKind", "GeomTable", "Model", "PairTable", "compile_scene"]
+__all__ = ["GeomKind", "GeomTable", "MeshMemory", "Model", "PairTable", "compile_scene"]

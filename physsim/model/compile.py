@@ -16,7 +16,7 @@ from physsim.model.body import Body, BodyMaker
 from physsim.model.findings import Findings, Path
 from physsim.model.geom_table import geom_table
 from physsim.model.mechanics import mechanics
-from physsim.model.mesh_form import MeshFiles
+from physsim.model.mesh_form import MeshFiles, MeshMemory
 from physsim.model.model import GeomTable, Model
 from physsim.model.no_contact import Pairs, joined, no_contact_pairs
 from physsim.model.pair_table import Complaints, PairTable, can_touch, pair_table
@@ -26,14 +26,15 @@ if TYPE_CHECKING:
     from physsim.scene import Scene
 
 
-def compile_scene(scene: Scene) -> Model:
+def compile_scene(scene: Scene, memory: MeshMemory | None = None) -> Model:
     """The model of a scene.
 
+    memory: of meshes that were used before; what is in it is not read again.
     Raises SceneError with every problem, placed in the file: meshes that cannot be read or have no inside,
     masses that are not known, impossible inertia, pairs of materials without numbers. What is only doubtful
     (a timestep too long for a small fast body, a mesh a thousand times too large) is in `Model.warnings`.
     """
-    return _Compiler(scene).model()
+    return _Compiler(scene, memory or MeshMemory()).model()
 
 
 def declared_name(name: str, declared: Mapping[str, object]) -> str:
@@ -44,10 +45,10 @@ def declared_name(name: str, declared: Mapping[str, object]) -> str:
 class _Compiler:
     """The bodies of one scene on their way to a model; `paths` and `specs` follow the order of the bodies."""
 
-    def __init__(self, scene: Scene) -> None:
+    def __init__(self, scene: Scene, memory: MeshMemory) -> None:
         self.scene = scene
         self.findings = Findings()
-        self.files = MeshFiles(scene.resolve_file)
+        self.files = MeshFiles(scene.resolve_file, memory)
         self.specs = list(scene.bodies.values())
         self.declared = [declared_name(name, scene.spec.bodies) for name in scene.bodies]
         self.paths: list[Path] = [("bodies", name) for name in self.declared]

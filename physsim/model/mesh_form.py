@@ -29,6 +29,14 @@ if TYPE_CHECKING:
 
 
 @dataclass
+class MeshMemory:
+    """What was read from mesh files and made of it; one may serve many scenes that use the same files."""
+
+    meshes: dict[Path, TriangleMesh] = field(default_factory=dict)
+    forms: dict[tuple[Path, MeshShape, bool], Form] = field(default_factory=dict)
+
+
+@dataclass
 class MeshFiles:
     """Reads every mesh file once, and remembers its hash under the name that the scene gives it.
 
@@ -36,23 +44,24 @@ class MeshFiles:
     """
 
     find: Callable[[str], Path]
+    memory: MeshMemory = field(default_factory=MeshMemory)
     sha256: dict[str, str] = field(default_factory=dict)
-    _meshes: dict[Path, TriangleMesh] = field(default_factory=dict)
 
     def mesh(self, file: str) -> TriangleMesh:
         """The surface in a file. Raises ShapeTrouble."""
-        path = self._path(file)
-        if path not in self._meshes:
-            self._meshes[path] = read_mesh(path)
-        self.sha256[file] = self._meshes[path].sha256
-        return self._meshes[path]
+        path, meshes = self.path(file), self.memory.meshes
+        if path not in meshes:
+            meshes[path] = read_mesh(path)
+        self.sha256[file] = meshes[path].sha256
+        return meshes[path]
 
     def points(self, file: str) -> FloatArray:
         """The vertices (V, 3) in a file. Raises ShapeTrouble."""
-        points, self.sha256[file] = read_points(self._path(file))
+        points, self.sha256[file] = read_points(self.path(file))
         return points
 
-    def _path(self, file: str) -> Path:
+    def path(self, file: str) -> Path:
+        """Where a file is. Raises ShapeTrouble."""
         try:
             return self.find(file)
         except FileTrouble as trouble:
@@ -65,7 +74,14 @@ def mesh_form(shape: MeshShape, files: MeshFiles, fixed: bool) -> Form:
 
     Raises ShapeTrouble.
     """
-    mesh = files.mesh(shape.file)
+    mesh, forms = files.mesh(shape.file), files.memory.forms
+    key = (files.path(shape.file), shape, fixed)
+    if key not in forms:
+        forms[key] = _made(mesh, shape, fixed)
+    return forms[key]
+
+
+def _made(mesh: TriangleMesh, shape: MeshShape, fixed: bool) -> Form:
     vertices = mesh.vertices * shape.scale
     unit, volume, method = _mass_properties(mesh, vertices, shape.inertia, fixed)
     spans = np.ptp(vertices, axis=0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice
 from os import PathLike
 from pathlib import Path
@@ -39,8 +40,7 @@ def load_scene(
     warn: called with every warning, which the scene also keeps.
     Raises FileTrouble when the file cannot be read, SceneError with every problem when it is no valid scene.
     """
-    file = Path(path)
-    return _load(_Source(read_source(file), str(path), file, file.parent), overrides, warn)
+    return original(path).scene(overrides, warn)
 
 
 def load_scene_text(
@@ -54,22 +54,47 @@ def load_scene_text(
 
     folder: where the files that it names are looked for; without one they are not looked for yet.
     """
-    return _load(_Source(text, name, None, None if folder is None else Path(folder)), overrides, warn)
+    return Original(text, name, None, None if folder is None else Path(folder)).scene(overrides, warn)
+
+
+def original(path: str | PathLike[str]) -> Original:
+    """A scene file, parsed but not yet judged. Raises FileTrouble when it cannot be read."""
+    file = Path(path)
+    return Original(read_source(file), str(path), file, file.parent)
 
 
 @dataclass(frozen=True)
-class _Source:
-    """Where the text came from."""
+class Original:
+    """A scene as written, parsed once, that may be read many times, each time with other changes.
+
+    text: the YAML; name: how messages call it; path: its file, None for text; folder: where the files that it
+    names are looked for, None when they are not to be looked for yet.
+    """
 
     text: str
     name: str
     path: Path | None
     folder: Path | None
 
+    def scene(self, overrides: Overrides | None = None, warn: Warn | None = None) -> Scene:
+        """The scene with these changes; see `load_scene`. Raises SceneError."""
+        return _load(self, overrides, warn)
 
-def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Scene:
+    @cached_property
+    def parsed(self) -> tuple[nodes.Mapping | None, list[Problem]]:
+        """The nodes as written (not to be changed), and what was wrong in reading them."""
+        return _root_of(self)
+
+    def root(self) -> nodes.Mapping | None:
+        """The nodes, a copy that may be changed; None when there is nothing to read."""
+        root, _ = self.parsed
+        copy = None if root is None else nodes.copied(root)
+        return copy if isinstance(copy, nodes.Mapping) else None
+
+
+def _load(source: Original, overrides: Overrides | None, warn: Warn | None) -> Scene:
     overrides = overrides if overrides is None or isinstance(overrides, dict | str) else list(overrides)
-    root, problems = _root_of(source)
+    root, problems = source.root(), list(source.parsed[1])
     if root is None:
         raise SceneError(told_in_order(problems), source.name)
     problems += apply_overrides(root, overrides)
@@ -95,7 +120,7 @@ def _load(source: _Source, overrides: Overrides | None, warn: Warn | None) -> Sc
     )
 
 
-def _root_of(source: _Source) -> tuple[nodes.Mapping | None, list[Problem]]:
+def _root_of(source: Original) -> tuple[nodes.Mapping | None, list[Problem]]:
     """The scene as written, and what was wrong in reading it."""
     document = read_yaml(source.text)
     root, problems = _mapping_of(document.root, list(document.problems))

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from small_scenes import HEAD, body, body_problem, compiled, problems
 
 from physsim.errors import SceneError, dotted
-from physsim.model import compile_scene, mesh_obj, mesh_text
+from physsim.model import MeshMemory, compile_scene, mesh_obj, mesh_text
 from physsim.model import mesh as mesh_room
 from physsim.model.mesh import FORMATS, read_mesh
 from physsim.model.trouble import ShapeTrouble
@@ -104,7 +104,7 @@ def test_a_file_is_read_once_and_its_hash_told(tmp_path: Path) -> None:
     shape = "shape: {type: mesh, file: part.stl}, material: steel"
     model = compiled(f"bodies:\n  a: {{{shape}, position: [9, 0, 0]}}\n  b: {{{shape}}}\n", tmp_path)
     assert model.mesh_sha256 == {"part.stl": hashlib.sha256(path.read_bytes()).hexdigest()}
-    assert len(model.geoms.hulls) == 2
+    assert len(model.geoms.hulls) == 1
 
 
 def test_copies_share_one_hull(tmp_path: Path) -> None:
@@ -393,3 +393,20 @@ def test_mutated_files_are_read_or_refused(
     assert np.isfinite(found.vertices).all()
     assert found.triangles.min() >= 0
     assert found.triangles.max() < len(found.vertices)
+
+
+def test_a_memory_serves_many_scenes(tmp_path: Path) -> None:
+    """Each scene names only the meshes that it uses, and gets the same bits as one that reads them itself."""
+    write(tmp_path, wedge())
+    body = "bodies:\n  a: {{shape: {{type: mesh, file: part.stl, scale: {scale}}}, material: steel}}\n"
+    head = "physsim: 1\nsimulation: {duration: 1 s, timestep: 1 ms}\n"
+    memory = MeshMemory()
+    for scale in (1, 2, 1):
+        scene = load_scene_text(head + body.format(scale=scale), folder=tmp_path)
+        alone, remembered = compile_scene(scene), compile_scene(scene, memory)
+        assert remembered.mesh_sha256 == alone.mesh_sha256
+        np.testing.assert_array_equal(remembered.inertia, alone.inertia)
+        np.testing.assert_array_equal(remembered.geoms.hulls[0].vertices, alone.geoms.hulls[0].vertices)
+    assert (len(memory.meshes), len(memory.forms)) == (1, 2)
+    other = load_scene_text(head + "bodies: {b: {shape: {type: sphere, radius: 1}, material: steel}}")
+    assert compile_scene(other, memory).mesh_sha256 == {}

@@ -79,8 +79,8 @@ def test_distance_is_a_spherical_pendulum():
 
 @pytest.mark.parametrize("scheme", ["semi_implicit_euler", "velocity_verlet", "rk4"])
 def test_pull_of_a_pendulum_at_its_lowest_point(scheme):
-    """m (g + v^2 / L), 3 m g when let go level (Huygens 1673). The instant of the lowest point falls between steps: the
-    largest pull is off by (g/L) dt^2 of it, 1e-5.
+    """m (g + v^2 / L), 3 m g when let go level (Huygens 1673). The instant of the lowest point falls
+    between steps: the largest pull is off by (g/L) dt^2 of it, 1e-5.
     """
     length, mass = 1.0, 2.0
     ball = body("ball", "type: sphere, radius: 0.05", mass=mass, position=(length, 0, 0), collides=False)
@@ -151,7 +151,9 @@ def test_damping_of_a_ball_joint():
     """A spherical body about its centre: omega = omega0 exp(-c t / I); the loss is booked."""
     c, mass, radius = 0.05, 1.0, 0.2
     moment = 0.4 * mass * radius**2
-    ball = body("ball", f"type: sphere, radius: {radius}", mass=mass, angular_velocity=(3, 4, 12), collides=False)
+    ball = body(
+        "ball", f"type: sphere, radius: {radius}", mass=mass, angular_velocity=(3, 4, 12), collides=False
+    )
     joint = {"type": "ball", "between": ("world", "ball"), "anchor": (0, 0, 0), "damping": c}
     found = bench(ball, {"pin": joint}, scheme="rk4", gravity=(0, 0, 0)).run(0.5)
     left = np.exp(-c * 0.5 / moment)
@@ -163,8 +165,8 @@ def test_damping_of_a_ball_joint():
 
 
 def test_hinge_is_a_physical_pendulum_about_a_tilted_axis():
-    """I theta'' = n . (r x m g). Reaction -m (a - g), and -(dL/dt - r x m g) about the anchor, for a box whose
-    principal axes lie skew to the hinge. Measured 1e-11 rad, 1e-9 N, 2e-10 N m.
+    """I theta'' = n . (r x m g). Reaction -m (a - g), and -(dL/dt - r x m g) about the anchor, for a box
+    whose principal axes lie skew to the hinge. Measured 1e-11 rad, 1e-9 N, 2e-10 N m.
     """
     axis = np.array([0.3, 1.0, 0.2])
     n = axis / np.linalg.norm(axis)
@@ -195,7 +197,9 @@ def test_hinge_is_a_physical_pendulum_about_a_tilted_axis():
 @pytest.mark.parametrize("between", [("world", "wheel"), ("wheel", "world")])
 def test_angle_of_a_hinge_counts_turns(between):
     """50 rad/s for 10 s, 79.6 turns; of B seen from A, so that order turns the sign."""
-    wheel = body("wheel", "type: cylinder, radius: 0.2, height: 0.1", angular_velocity=(0, 0, 50), collides=False)
+    wheel = body(
+        "wheel", "type: cylinder, radius: 0.2, height: 0.1", angular_velocity=(0, 0, 50), collides=False
+    )
     joint = {"type": "hinge", "between": between, "anchor": (0, 0, 0), "axis": (0, 0, 1)}
     found = bench(wheel, {"pin": joint}, timestep=2e-3).run(10.0)
     sign = 1 if between[0] == "world" else -1
@@ -257,7 +261,9 @@ def test_bead_on_a_turning_rail():
 
 
 def test_cantilever_of_two_welds():
-    """Statics: the weld at the wall carries both weights and their moments, the outer one the outer weight's."""
+    """Statics: the weld at the wall carries both weights and their moments, the outer one the outer
+    weight's.
+    """
     parts = box("inner", position=(0.25, 0, 0)) + box("outer", position=(0.75, 0, 0))
     joints = {
         "wall": {"type": "fixed", "between": ("world", "inner"), "anchor": (0, 0, 0)},
@@ -296,11 +302,18 @@ def test_welded_boxes_tumble_as_one_body():
 
 
 def test_universal_pendulum():
-    """R = Rz(a) Rx(b): T = (A b'^2 + (B sin^2 b + C cos^2 b) a'^2) / 2, V = -m g l cos a cos b. Measured 1e-11 rad."""
+    """R = Rz(a) Rx(b): T = (A b'^2 + (B sin^2 b + C cos^2 b) a'^2) / 2, V = -m g l cos a cos b. Measured
+    1e-11 rad.
+    """
     arm = np.array([0, -0.4, 0])
     omega = np.array([1.2, 0, 0.9])
     block = box(position=arm, velocity=np.cross(omega, arm), angular_velocity=omega)
-    joint = {"type": "universal", "between": ("world", "box"), "anchor": (0, 0, 0), "axes": ((0, 0, 1), (1, 0, 0))}
+    joint = {
+        "type": "universal",
+        "between": ("world", "box"),
+        "anchor": (0, 0, 0),
+        "axes": ((0, 0, 1), (1, 0, 0)),
+    }
     found = bench(block, {"cross": joint}, scheme="rk4", gravity=(0, -G, 0)).run(2.0)
     A, B, C = np.diag(about(arm, MASS, MOMENTS))
 
@@ -343,8 +356,8 @@ def test_cylindrical_slides_and_swings():
 
 
 def test_planar_slides_down_a_slope_spinning():
-    """The centre on a parabola in the plane, the spin constant; the plane carries m g cos, and the moment that a box
-    turning about no principal axis asks for.
+    """The centre on a parabola in the plane, the spin constant; the plane carries m g cos, and the moment
+    that a box turning about no principal axis asks for.
     """
     slope = 0.4
     normal = np.array([np.sin(slope), 0, np.cos(slope)])
@@ -352,7 +365,13 @@ def test_planar_slides_down_a_slope_spinning():
     across = np.cross(normal, downhill)
     start = 0.5 * across - 0.2 * downhill
     block = box(velocity=start, angular_velocity=2.0 * normal)
-    joint = {"type": "planar", "between": ("world", "box"), "anchor": (0, 0, 0), "normal": normal, "axis": downhill}
+    joint = {
+        "type": "planar",
+        "between": ("world", "box"),
+        "anchor": (0, 0, 0),
+        "normal": normal,
+        "axis": downhill,
+    }
     found = bench(block, {"plane": joint}, scheme="rk4").run(2.0)
     plane = found.joint("plane")
     assert plane["coordinate"] == pytest.approx(-0.4 + 0.5 * G * np.sin(slope) * 4, abs=1e-11)
@@ -369,7 +388,13 @@ def test_planar_slides_down_a_slope_spinning():
 @pytest.mark.parametrize("pitch", [0.05, -0.2])
 def test_screw_under_its_weight(pitch):
     """(m + I / p^2) s'' = m g with p = pitch / 2 pi; travel = p angle. The thread carries m (g - s'')."""
-    joint = {"type": "screw", "between": ("world", "box"), "anchor": (0, 0, 0), "axis": (0, 0, 1), "pitch": pitch}
+    joint = {
+        "type": "screw",
+        "between": ("world", "box"),
+        "anchor": (0, 0, 0),
+        "axis": (0, 0, 1),
+        "pitch": pitch,
+    }
     found = bench(box(), {"thread": joint}, scheme="rk4").run(2.0)
     p = pitch / (2 * np.pi)
     fall = -MASS * G / (MASS + MOMENTS[2] / p**2)
@@ -386,7 +411,9 @@ def test_gear_ratio_and_effective_inertia(ratio):
     """angle_2 = k angle_1: a torque on wheel 1 moves I_1 + k^2 I_2, and the teeth pass k I_2 alpha_2 on."""
     inertia = {"small": 0.5 * 1.0 * 0.01, "large": 0.5 * 4.0 * 0.09}
     wheels = body("small", "type: cylinder, radius: 0.1, height: 0.1", mass=1.0, collides=False)
-    wheels += body("large", "type: cylinder, radius: 0.3, height: 0.1", mass=4.0, position=(0.4, 0, 0), collides=False)
+    wheels += body(
+        "large", "type: cylinder, radius: 0.3, height: 0.1", mass=4.0, position=(0.4, 0, 0), collides=False
+    )
     pin = {"type": "hinge", "axis": (0, 0, 1)}
     joints = {
         "first": pin | {"between": ("world", "small"), "anchor": (0, 0, 0)},

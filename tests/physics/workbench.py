@@ -61,8 +61,8 @@ def bench(
     more: str = "",
     **settings: Any,
 ) -> Bench:
-    """A world of `bodies` (YAML lines, as `laboratory.body` makes them) and `joints` by name; `more` is YAML that
-    follows, `settings` go into `simulation`.
+    """A world of `bodies` (YAML lines, as `laboratory.body` makes them) and `joints` by name; `more` is
+    YAML that follows, `settings` go into `simulation`.
     """
     given = {"integrator": scheme, **settings}
     extra = "".join(f", {key}: {yaml_of(value)}" for key, value in given.items())
@@ -86,6 +86,12 @@ def moved(rates: Callable[[float, Array], Array], start: Array, times: Any) -> A
     from scipy.integrate import solve_ivp  # noqa: PLC0415
 
     found = solve_ivp(
-        rates, (0.0, float(np.max(times))), start, "DOP853", t_eval=np.atleast_1d(times), rtol=1e-13, atol=1e-13
+        rates,
+        (0.0, float(np.max(times))),
+        start,
+        "DOP853",
+        t_eval=np.atleast_1d(times),
+        rtol=1e-13,
+        atol=1e-13,
     )
     return np.asarray(found.y.T)

@@ -22,13 +22,18 @@ def check(draft: Draft) -> Iterator[Problem]:
     for i, entry in enumerate(draft.expect):
         if entry is None:
             continue
-        trouble = _trouble(entry.parsed, draft) or _not_recorded(entry.parsed, draft)
+        trouble = trouble_of(entry.parsed, draft)
         if trouble:
             yield Problem(("expect", i, "quantity"), trouble[0], hint=trouble[1])
         yield from _moment(i, entry.at, draft)
 
 
-def _trouble(quantity: Quantity, draft: Draft) -> Trouble | None:
+def trouble_of(quantity: Quantity, draft: Draft) -> Trouble | None:
+    """Why a run of this scene will not have the quantity, and the likely slip; None when it will."""
+    return _unnamed(quantity, draft) or _not_recorded(quantity, draft)
+
+
+def _unnamed(quantity: Quantity, draft: Draft) -> Trouble | None:
     """What is wrong with the body, spring or joint that is named; None when nothing is."""
     name = quantity.name
     if name is None:
