@@ -6,12 +6,12 @@ What is kept here has the same bits as what a file would hold, at the same frame
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from physsim.simulation.loop import Ending, Loop
+from physsim.simulation.loop import Ending, Loop, Schedule
 from physsim.simulation.measure import Measure, Rows
 from physsim.simulation.prepare import schedule_of
 from physsim.simulation.progress import Throttle
@@ -25,6 +25,15 @@ if TYPE_CHECKING:
     from physsim.scene.quantity import Quantity
 
 BODY_FIELDS = ("position", "orientation", "velocity", "angular_velocity")
+_MOTION = ("velocity", "angular_velocity")
+_NEEDS = {
+    "position": ("position", "orientation"),
+    "speed": ("velocity",),
+    "angular_speed": ("angular_velocity",),
+    "momentum": ("velocity",),
+    "angular_momentum": ("orientation", "angular_velocity"),
+    "kinetic_energy": ("orientation", "velocity", "angular_velocity"),
+}
 
 
 @dataclass(frozen=True)
@@ -32,13 +41,14 @@ class Wanted:
     """What of a run is wanted.
 
     quantities: by name; bodies: names of those whose motion is looked at besides; events: the impacts;
-    contacts: who touches whom in every frame.
+    contacts: who touches whom in every frame. ends_only: the first and the last frame are enough.
     """
 
     quantities: tuple[Quantity, ...] = ()
     bodies: frozenset[str] = frozenset()
     events: bool = False
     contacts: bool = False
+    ends_only: bool = False
 
     @property
     def groups(self) -> frozenset[str]:
@@ -55,6 +65,12 @@ class Wanted:
         """Whether contacts are looked at, also for the forces that they put on a body."""
         return self.contacts or any(some.field == "contact_force" for some in self.quantities)
 
+    @property
+    def body_fields(self) -> list[str]:
+        """Datasets of bodies that the quantities need."""
+        fields = {field for some in self.quantities for field in _NEEDS.get(some.field, (some.field,))}
+        return [name for name in BODY_FIELDS if name in fields or (self.bodies and name in _MOTION)]
+
 
 def watch(scene: Scene, model: Model, wanted: Wanted) -> Watched:
     """Steps a scene to its end and returns what was wanted of it, frame by frame.
@@ -67,7 +83,7 @@ def watch(scene: Scene, model: Model, wanted: Wanted) -> Watched:
     loop = Loop(
         simulated,
         Watch(model, wanted),
-        schedule_of(scene),
+        _frames(schedule_of(scene), wanted),
         recorder=memory,
         report=Throttle(None),
         record_contacts=wanted.needs_contacts,
@@ -80,12 +96,20 @@ def watch(scene: Scene, model: Model, wanted: Wanted) -> Watched:
     return _watched(model, memory, wanted, ending, impacts)
 
 
+def _frames(schedule: Schedule, wanted: Wanted) -> Schedule:
+    """Fewer frames where they decide nothing; a run that may end at rest is looked at in each of its frames."""
+    if not wanted.ends_only or schedule.until_rest:
+        return schedule
+    return replace(schedule, steps_per_frame=schedule.steps)
+
+
 class Watch:
     """Measures, of every frame, what is wanted and nothing else."""
 
     def __init__(self, model: Model, wanted: Wanted) -> None:
         self._measure = Measure(model)
         self._groups = wanted.groups
+        self._fields = wanted.body_fields
         self._rows = [row for row, name in enumerate(model.body_names) if name in wanted.body_names]
 
     def frame(self, world: Any) -> Rows:
@@ -94,7 +118,7 @@ class Watch:
         if self._rows or "momentum" in self._groups:
             state = world.state()
             if self._rows:
-                rows |= {name: state[name][self._rows] for name in BODY_FIELDS}
+                rows |= {name: state[name][self._rows] for name in self._fields}
             if "momentum" in self._groups:
                 rows |= self._measure.momentum(state)
         if "energy" in self._groups:

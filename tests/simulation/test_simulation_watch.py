@@ -98,3 +98,15 @@ def test_rest_ends_a_watched_run_as_it_ends_a_recorded_one(tmp_path: Path) -> No
     with physsim.run(scene, output=tmp_path / "run.h5") as trajectory:
         watched = watch(scene, compile_scene(scene), Wanted())
         np.testing.assert_array_equal(watched.time, trajectory.time)
+
+
+@pytest.mark.parametrize(
+    "text", ["bodies.lamp.position.z", "bodies.arm.kinetic_energy", "momentum.angular.x"]
+)
+def test_one_quantity_alone_and_its_ends_alone(text: str) -> None:
+    scene = load_scene_text(MACHINE)
+    model, quantity = compile_scene(scene), parse_quantity(text)
+    every, ends = (watch(scene, model, Wanted((quantity,), ends_only=only)) for only in (False, True))
+    all_values, end_values = (over_time(some.as_trajectory(), quantity) for some in (every, ends))
+    np.testing.assert_array_equal(end_values, all_values[[0, -1]])
+    np.testing.assert_array_equal(ends.time, every.time[[0, -1]])
