@@ -9,6 +9,7 @@ use crate::force::{Forces, Wrench};
 use crate::integrator::{free_accelerations, Scratch};
 use crate::joint::{Ahead, Joints, Row};
 use crate::mover::Twist;
+use crate::profile::Moment;
 
 /// Wrenches and accelerations of all bodies.
 #[derive(Clone, Debug, Default)]
@@ -24,6 +25,8 @@ pub struct Loads {
     pub drive_forces: Vec<f64>,
     /// Impulses of the bilateral rows in the step.
     pub reactions: Vec<f64>,
+    /// Rates of the bilateral rows that come from fixed bodies on a path, at the start of the step.
+    fixed_rates: Vec<f64>,
     /// Working memory of the integrator.
     pub scratch: Scratch,
 }
@@ -46,8 +49,9 @@ impl Loads {
         ahead: Ahead,
     ) {
         let time = ahead.time;
+        let moment = Moment::within(time, (time, ahead.timestep));
         self.clear();
-        forces.evaluate(bodies, time, &mut self.wrenches);
+        forces.evaluate(bodies, moment, &mut self.wrenches);
         joints.add_forces(bodies, time, &mut self.wrenches);
         free_accelerations(bodies, &self.wrenches, &mut self.free);
         if !articulation.is_empty() {
@@ -113,6 +117,25 @@ impl Loads {
         }
     }
 
+    /// Before bodies move: what fixed bodies on a path do to the rows of joints.
+    pub fn note_fixed(&mut self, rows: &[Row], bodies: &[Body]) {
+        self.fixed_rates.clear();
+        self.fixed_rates
+            .extend(rows.iter().map(|row| rate_of_fixed(row, bodies)));
+    }
+
+    /// After they moved: the work that fixed bodies on a path did through joints, impulses times mean rates [J].
+    #[must_use]
+    pub fn work_of_paths(&self, rows: &[Row], bodies: &[Body]) -> f64 {
+        let rates = rows.iter().zip(&self.fixed_rates);
+        let means = rates.map(|(row, start)| 0.5 * (start + rate_of_fixed(row, bodies)));
+        self.reactions
+            .iter()
+            .zip(means)
+            .map(|(x, mean)| -x * mean)
+            .sum()
+    }
+
     /// Forces of the bilateral rows at this instant: those with which J a + bias = 0 under all that acts. They are left
     /// in the articulation.
     pub fn solve_reactions(
@@ -122,7 +145,7 @@ impl Loads {
         time: f64,
     ) {
         self.wrenches.clone_from(&self.held);
-        forces.evaluate(bodies, time, &mut self.wrenches);
+        forces.evaluate(bodies, Moment::at(time), &mut self.wrenches);
         joints.add_forces(bodies, time, &mut self.wrenches);
         free_accelerations(bodies, &self.wrenches, &mut self.free);
         articulation.load_bilateral(joints, bodies);
@@ -133,9 +156,13 @@ impl Loads {
 /// Work that fixed bodies on a prescribed path do through joints, by the impulses of the rows [J].
 #[must_use]
 pub fn work_of_fixed(rows: &[Row], impulses: &[f64], bodies: &[Body]) -> f64 {
-    let work = |(row, impulse): (&Row, &f64)| {
-        let fixed = row.ends().iter().filter(|end| bodies[end.body].is_fixed());
-        -impulse * fixed.map(|end| end.rate(bodies)).sum::<f64>()
-    };
+    let work = |(row, impulse): (&Row, &f64)| -impulse * rate_of_fixed(row, bodies);
     rows.iter().zip(impulses).map(work).sum()
+}
+
+/// The part of a row's rate that comes from fixed bodies on a path.
+#[must_use]
+pub fn rate_of_fixed(row: &Row, bodies: &[Body]) -> f64 {
+    let fixed = row.ends().iter().filter(|end| bodies[end.body].is_fixed());
+    fixed.map(|end| end.rate(bodies)).sum()
 }

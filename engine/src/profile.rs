@@ -2,6 +2,7 @@
 
 mod integral;
 mod jet;
+mod moment;
 mod program;
 #[cfg(test)]
 mod tests;
@@ -10,6 +11,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 pub use integral::Integral;
+pub use moment::Moment;
 pub use program::Program;
 
 use crate::curve::Curve;
@@ -124,10 +126,20 @@ impl Default for Schedule {
 }
 
 impl Schedule {
-    /// The factor at the time `t` [s]: 0 outside [from, until).
+    /// The factor at a moment of a step: where the window begins or ends inside the step, the share of the step that it
+    /// covers times the profile at the nearest instant in it. A constant force from any instant until any other so gives
+    /// its exact impulse in every integrator; seen as on or off at the nodes of a step it would be off by up to a step.
     #[must_use]
-    pub fn factor(&self, t: f64) -> f64 {
-        self.derivatives(t)[0]
+    pub fn factor(&self, moment: Moment) -> f64 {
+        let share = |from: f64| moment.share(from, self.until);
+        match self.profile.as_deref() {
+            None | Some(Profile::Constant) => share(self.from),
+            Some(Profile::Step { at }) => share(self.from + at.max(0.0)),
+            Some(profile) => match share(self.from) {
+                0.0 => 0.0,
+                part => part * profile.value(moment.time.clamp(self.from, self.until) - self.from),
+            },
+        }
     }
 
     /// The factor, its rate of change [1/s] and the rate of that [1/s^2], all 0 outside [from, until).

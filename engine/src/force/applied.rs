@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::sum::Sum;
-use crate::profile::Schedule;
+use crate::profile::{Moment, Schedule};
 
 /// Axes in which a force is declared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,9 +33,9 @@ pub struct AppliedForce {
 
 impl AppliedForce {
     /// F and r x F + M; the power is F . v + (r x F + M) . omega.
-    pub(super) fn add(&self, sum: &mut Sum<'_>, time: f64) {
+    pub(super) fn add(&self, sum: &mut Sum<'_>, moment: Moment) {
         let body = &sum.bodies[self.body];
-        let factor = self.schedule.factor(time);
+        let factor = self.schedule.factor(moment);
         if factor == 0.0 || body.is_fixed() {
             return;
         }

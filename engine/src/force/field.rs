@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::sum::Sum;
-use crate::profile::Schedule;
+use crate::profile::{Moment, Schedule};
 
 /// Accelerates a body while its centre of mass is in the region. It does work: a field that ends somewhere, or changes
 /// with time, has no potential.
@@ -21,9 +21,9 @@ pub struct Field {
 
 impl Field {
     /// F = m a; its power is F . v.
-    pub(super) fn add(&self, sum: &mut Sum<'_>, time: f64) {
+    pub(super) fn add(&self, sum: &mut Sum<'_>, moment: Moment) {
         let body = &sum.bodies[self.body];
-        let factor = self.schedule.factor(time);
+        let factor = self.schedule.factor(moment);
         if factor == 0.0 || body.is_fixed() || !self.covers(body.state.position) {
             return;
         }

@@ -29,6 +29,7 @@ pub use spring::{SpringKind, SpringModel};
 pub use wrench::{Potential, Powers, Wrench};
 
 use crate::body::Body;
+use crate::profile::Moment;
 use gravitation::Gravitation;
 use spring::Spring;
 use sum::Sum;
@@ -78,10 +79,10 @@ impl Forces {
         }
     }
 
-    /// Add what acts on the moving bodies at the time [s] to `wrenches`, and give the power of all that has no
+    /// Add what acts on the moving bodies at a moment to `wrenches`, and give the power of all that has no
     /// potential. A fixed body takes nothing; where it is moved as prescribed, the power that its drive spends on
     /// springs and gravitation counts as that of a motor.
-    pub fn evaluate(&self, bodies: &[Body], time: f64, wrenches: &mut [Wrench]) -> Powers {
+    pub fn evaluate(&self, bodies: &[Body], moment: Moment, wrenches: &mut [Wrench]) -> Powers {
         for (wrench, body) in wrenches.iter_mut().zip(bodies) {
             wrench.force += self.gravity * body.mass.mass;
         }
@@ -91,13 +92,13 @@ impl Forces {
             spring.add(&mut sum);
         }
         for force in &self.applied {
-            force.add(&mut sum, time);
+            force.add(&mut sum, moment);
         }
         for drag in &self.drags {
             drag.add(&mut sum);
         }
         for field in &self.fields {
-            field.add(&mut sum, time);
+            field.add(&mut sum, moment);
         }
         sum.powers
     }

@@ -5,6 +5,7 @@ use glam::{DMat3, DVec3};
 use super::{Acts, ForceModel, Forces, Potential, Powers, SpringKind, SpringModel, Wrench};
 use crate::body::{Body, MassProperties, State};
 use crate::math::rotation_from_vector;
+use crate::profile::Moment;
 
 /// Numbers between -1 and 1 that look random and are the same every time (a linear congruence of Knuth, MMIX).
 pub(super) struct Numbers(u64);
@@ -107,7 +108,7 @@ pub(super) fn of_springs(springs: Vec<SpringModel>, bodies: &[Body]) -> Forces {
 
 pub(super) fn evaluate(forces: &Forces, bodies: &[Body], time: f64) -> (Vec<Wrench>, Powers) {
     let mut wrenches = vec![Wrench::default(); bodies.len()];
-    let powers = forces.evaluate(bodies, time, &mut wrenches);
+    let powers = forces.evaluate(bodies, Moment::at(time), &mut wrenches);
     (wrenches, powers)
 }
 

@@ -6,6 +6,7 @@ use crate::force::{Forces, Powers, Wrench};
 use crate::joint::{Joints, Row};
 use crate::mover::Twist;
 use crate::paths::Paths;
+use crate::profile::Moment;
 
 use super::runge_kutta::Stage;
 
@@ -61,7 +62,9 @@ impl Dynamics<'_> {
         let wrenches = &mut self.scratch.wrenches;
         wrenches.clear();
         wrenches.extend_from_slice(self.held);
-        let a = self.forces.evaluate(bodies, time, wrenches);
+        let a = self
+            .forces
+            .evaluate(bodies, Moment::within(time, self.span), wrenches);
         let b = self.joints.add_forces(bodies, time, wrenches);
         a + b
     }

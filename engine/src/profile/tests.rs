@@ -189,8 +189,13 @@ fn a_schedule_counts_in_its_window_only() {
         from: 1.0,
         until: 4.0,
     };
-    let factors = [0.5, 1.0, 2.0, 3.9, 4.0].map(|t| schedule.factor(t));
+    let factors = [0.5, 1.0, 2.0, 3.9, 4.0].map(|t| schedule.factor(Moment::at(t)));
     assert_eq!(factors, [0.0, 0.0, 0.5, 1.0, 0.0]);
+    // Steps of 0.4 s that begin and end with the window: shares of 3/4 and 1/4, the profile at its ends.
+    let within = |t: f64, start: f64| schedule.factor(Moment::within(t, (start, 0.4)));
+    assert!(within(0.9, 0.9).abs() < 1e-15);
+    assert!((within(1.3, 0.9) - 0.75 * 0.15).abs() < 1e-15);
+    assert!((within(4.3, 3.9) - 0.25).abs() < 1e-15);
     assert_eq!(schedule.derivatives(2.0), [0.5, 0.5, 0.0]);
     assert_eq!(Schedule::default().derivatives(7.0), [1.0, 0.0, 0.0]);
 }
