@@ -480,6 +480,12 @@ impl World {
     /// whole step to act.
     fn move_bodies(&mut self, h: f64) {
         let time = self.time();
+        if !self.paths.is_empty() {
+            self.paths.arrive(&mut self.bodies, time);
+            self.articulation.load_bilateral(&self.joints, &self.bodies);
+            let rows = self.articulation.rows();
+            self.loads.note_fixed(rows, &self.bodies);
+        }
         let loads = &mut self.loads;
         loads.reactions.clear();
         let mut d = Dynamics {
@@ -506,7 +512,7 @@ impl World {
         self.ledger.stabilization += stabilization;
         if !self.paths.is_empty() {
             let rows = self.articulation.rows();
-            self.ledger.work_motors += work_of_fixed(rows, &self.loads.reactions, &self.bodies);
+            self.ledger.work_motors += self.loads.work_of_paths(rows, &self.bodies);
         }
         self.joints.values(&self.bodies, &mut self.values);
         for (body, kink) in self.bodies.iter_mut().zip(&self.impacts.kinks) {
