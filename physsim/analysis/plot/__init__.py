@@ -1,0 +1,7 @@
+"""Pictures of trajectories and of tables of runs."""
+
+from physsim.analysis.plot.curves import read_wishes
+from physsim.analysis.plot.panels import draw_trajectories
+from physsim.analysis.plot.tables import draw_table, read_table
+
+__all__ = ["draw_table", "draw_trajectories", "read_table", "read_wishes"]
