@@ -97,7 +97,7 @@ def watch(scene: Scene, model: Model, wanted: Wanted) -> Watched:
 
 
 def _frames(schedule: Schedule, wanted: Wanted) -> Schedule:
-    """Fewer frames where they decide nothing; a run that may end at rest is looked at in each of its frames."""
+    """Fewer frames where they decide nothing; a run that may end at rest is looked at in all of them."""
     if not wanted.ends_only or schedule.until_rest:
         return schedule
     return replace(schedule, steps_per_frame=schedule.steps)
