@@ -76,8 +76,8 @@ with that, and the only one here that reaches 1e-8 on jointed systems at 1 ms.
 
 def main() -> int:
     """Measure, write the page, draw the picture."""
-    orders = measured_orders()
     with TemporaryDirectory() as folder:
+        orders = measured_orders(Path(folder))
         energies = {name: measured_energy(name, Path(folder)) for name in ORDERS}
         draw(Path(folder), HERE / "images" / "integrators.svg")
     page = "\n".join([HEAD, table_of_orders(orders), "", table_of_energies(energies), TAIL])
@@ -85,12 +85,14 @@ def main() -> int:
     return 0
 
 
-def measured_orders() -> dict[str, dict[str, float | None]]:
+def measured_orders(folder: Path) -> dict[str, dict[str, float | None]]:
     """Order by system and integrator."""
     found: dict[str, dict[str, float | None]] = {}
     for system in SYSTEMS:
         verdicts = [
-            v for formula in pick([f"{system}.{name}" for name in ORDERS]) for v in try_out(formula).verdicts
+            v
+            for formula in pick([f"{system}.{name}" for name in ORDERS])
+            for v in try_out(formula, folder).verdicts
         ]
         found[system] = {last_word(verdict): verdict.order for verdict in verdicts}
     return found

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from physsim.cli import output, progress
+from physsim.cli.ahead import run_ahead
 from physsim.cli.table import number, table
 from physsim.cli.verb import Example, Verb, debug_option, json_option
 from physsim.errors import FileTrouble, PhyssimError
@@ -114,26 +115,40 @@ def picked(patterns: Sequence[str]) -> list[Formula]:
 
 def run_all(formulas: Sequence[Formula], *, quiet: bool) -> Iterator[Tried]:
     """Runs and judges every formula, with a bar on a terminal."""
-    with bar(len(formulas), quiet=quiet) as advance:
+    with TemporaryDirectory(prefix="physsim-verify-") as name:
+        folder = Path(name)
+        jobs = [(scene, changes, folder) for scene, changes in runs_of(formulas)]
+        with bar(len(jobs), quiet=quiet) as advance:
+            run_ahead(jobs, advance)
         for formula in formulas:
-            yield try_out(formula)
-            advance()
+            yield try_out(formula, folder)
 
 
-def try_out(formula: Formula) -> Tried:
-    """Runs every case of a formula, and its scenes as they stand; what fails is told, not raised."""
+def runs_of(formulas: Sequence[Formula]) -> list[tuple[str, dict[str, Any]]]:
+    """Scene and changes of everything that is run, each once."""
+    runs = [
+        (case.scene, changes) for formula in formulas for case in formula.cases for changes in case.runs()
+    ]
+    runs += [(scene, {}) for formula in formulas for scene in formula.scenes]
+    return list({file_name(*each): each for each in runs}.values())
+
+
+def try_out(formula: Formula, folder: Path) -> Tried:
+    """Runs every case of a formula, and its scenes as they stand; what fails is told, not raised.
+
+    folder: where the trajectories are kept; those that are there already are not run again.
+    """
     tried = Tried(formula)
-    with TemporaryDirectory(prefix="physsim-verify-") as folder:
-        for case in formula.cases:
-            try:
-                tried.verdicts += verdicts(case, Path(folder))
-            except (PhyssimError, ValueError) as error:
-                tried.troubles.append(f"{case.name}: {error}")
-        for scene in formula.scenes:
-            try:
-                check_scene(scene, Path(folder), tried)
-            except PhyssimError as error:
-                tried.troubles.append(f"{scene}.yaml: {error}")
+    for case in formula.cases:
+        try:
+            tried.verdicts += verdicts(case, folder)
+        except (PhyssimError, ValueError) as error:
+            tried.troubles.append(f"{case.name}: {error}")
+    for scene in formula.scenes:
+        try:
+            check_scene(scene, folder, tried)
+        except PhyssimError as error:
+            tried.troubles.append(f"{scene}.yaml: {error}")
     return tried
 
 
@@ -164,11 +179,19 @@ def run(scene: str, changes: dict[str, Any], folder: Path) -> Trajectory:
     from physsim.recording import open_trajectory
     from physsim.simulation import run as simulate
 
-    told = [f"{path}={value}" for path, value in changes.items()]
-    file = folder / (",".join([scene, *told]) + ".h5")
+    file = folder / file_name(scene, changes)
     if file.exists():
         return open_trajectory(file)
-    return simulate(scene_file(scene), set=changes, output=file)
+    try:
+        return simulate(scene_file(scene), set=changes, output=file)
+    except PhyssimError:
+        file.unlink(missing_ok=True)
+        raise
+
+
+def file_name(scene: str, changes: dict[str, Any]) -> str:
+    """Of the trajectory of a run: scene and changes."""
+    return ",".join([scene, *(f"{path}={value}" for path, value in changes.items())]) + ".h5"
 
 
 def show_list(formulas: Sequence[Formula], as_json: bool) -> None:
@@ -296,7 +319,7 @@ def draw(tried: Sequence[Tried], folder: Path) -> None:
 
 @contextmanager
 def bar(length: int, *, quiet: bool) -> Iterator[Any]:
-    """A function to call after each formula; it draws on a terminal only."""
+    """A function to call after each run; it draws on a terminal only."""
     if quiet or not progress.on_terminal():
         yield lambda: None
         return

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -13,8 +14,9 @@ import pytest
 
 from physsim.analysis.verify import FORMULAS, Case, Check, Verdict, pick, scene_file
 from physsim.analysis.verify.judge import order_of
+from physsim.cli import ahead
 from physsim.cli.app import answer
-from physsim.cli.verify import try_out
+from physsim.cli.verify import file_name, runs_of, try_out
 from physsim.scene import load_scene
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -24,8 +26,8 @@ LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 
 
 @pytest.mark.parametrize("formula", FORMULAS, ids=lambda formula: formula.name)
-def test_a_formula_holds(formula):
-    tried = try_out(formula)
+def test_a_formula_holds(formula, tmp_path):
+    tried = try_out(formula, tmp_path)
     assert tried.troubles == []
     assert [
         f"{v.case.name}: {v.check.name}: {v.error}, {v.order}" for v in tried.verdicts if not v.passed
@@ -126,6 +128,21 @@ def test_pictures_are_the_same_bytes_again(tmp_path, capsys):
     first, second = ((tmp_path / folder / "force.svg").read_bytes() for folder in ("a", "b"))
     assert first == second
     assert b"<svg" in first
+
+
+def test_runs_that_are_done_ahead_are_those_that_are_needed(tmp_path, monkeypatch):
+    """In other processes, all of them, and the broken one left to be told later."""
+    monkeypatch.setattr(ahead, "WORTH_IT", 1)
+    monkeypatch.setattr(os, "cpu_count", lambda: 2)
+    jobs = [(scene, changes, tmp_path) for scene, changes in runs_of(pick(["force", "torque"]))]
+    advanced: list[None] = []
+    ahead.run_ahead(
+        [*jobs, ("force", {"bodies.crate.mass": "-1 kg"}, tmp_path)], lambda: advanced.append(None)
+    )
+    assert len(advanced) == len(jobs) + 1
+    assert {file.name for file in tmp_path.iterdir()} == {
+        file_name(scene, changes) for scene, changes, _ in jobs
+    }
 
 
 def test_unknown_cases_are_refused_with_the_nearest_name(capsys):
