@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from laboratory import GRAVITY, ORDERS, Lab, mechanics, rotation, samples
+from laboratory import GRAVITY, ORDERS, Lab, measured, mechanics, rotation, samples
 from workbench import moved
 
 MASS, STIFFNESS, REST = 2.0, 50.0, 1.0
@@ -203,6 +203,36 @@ def test_two_tumbling_boxes_on_a_spring_and_a_damper():
     assert abs(scene.book("residual")) < 1e-9
 
 
+@pytest.mark.parametrize("integrator", ORDERS)
+def test_a_ball_on_a_spring_whose_other_end_is_shaken(integrator):
+    """x'' + 2 zeta w x' + w^2 x = w^2 u + 2 zeta w u' with u = U sin(W t), from rest: a steady swing of the
+    complex amplitude U (w^2 + 2 i zeta w W) / (w^2 - W^2 + 2 i zeta w W), and what dies out. The books
+    close with the work of what shakes it.
+    """
+    zeta, shaken, pulse, order = 0.2, 0.1, 2 * np.pi * 0.6, ORDERS[integrator]
+    response = OMEGA**2 + 2j * zeta * OMEGA * pulse
+    steady = shaken * response / (response - pulse**2) * np.exp(1j * pulse * TIMES)
+    first = shaken * response / (response - pulse**2)
+    truth = steady.imag + swing(zeta, -first.imag, -(1j * pulse * first).imag, TIMES)
+
+    def shaking(timestep: float) -> Lab:
+        profile = {"type": "sine", "frequency": 0.6}
+        table = {"fixed": True, "motion": {"translation": (shaken, 0, 0), "profile": profile}}
+        spring = {"type": "linear", "between": ("table", "ball"), "rest_length": REST, "stiffness": STIFFNESS}
+        return mechanics(
+            {"table": table, "ball": {"mass": MASS, "position": (REST, 0, 0)}},
+            springs={"s": spring | {"damping_ratio": zeta}},
+            integrator=integrator,
+            timestep=timestep,
+        )
+
+    steps = {1: 1e-3, 2: 1e-2, 4: 2e-2}[order] / np.array([1, 2, 4])
+    _, slopes = measured(shaking, place, truth[:, None], TIMES, steps)
+    books = [shaking(step).run(2.0).book("residual") for step in steps]
+    assert slopes == pytest.approx([order, order], abs=0.1)
+    assert np.log2(np.array(books)[:-1] / books[1:]) == pytest.approx([order, order], abs=0.1)
+
+
 # --------------------------------------------------------------------------- preload, ropes, bumpers, curves
 
 
@@ -323,6 +353,22 @@ def test_a_stop_throws_back(v, e):
     assert speed(scene) == pytest.approx(-e * v, abs=1e-12)
     assert place(scene) == pytest.approx(np.sign(v) * (0.3 - e * 0.2), abs=(1 + e) * 1e-3)
     assert scene.book("lost_impact") == pytest.approx(MASS / 2 * v * v * (1 - e * e), abs=1e-12)
+
+
+@pytest.mark.parametrize("integrator", ORDERS)
+@pytest.mark.parametrize("way", [1, -1])
+def test_a_stop_without_restitution_holds_where_it_is(way, integrator):
+    """A ball comes to rest at the limit itself, and stays when it is pushed against it."""
+    ball = {"mass": MASS, "position": (REST, 0, 0), "velocity": (way * 1.0, 0, 0)}
+    tied = {"type": "linear", "between": ("world", "ball"), "limits": (REST - 0.30037, REST + 0.30037)}
+    push = {"push": {"body": "ball", "force": (way * 5.0, 0, 0), "from": 0.5}}
+    scene = mechanics(
+        {"ball": ball}, springs={"s": tied | {"preload": 0.0}}, forces=push, integrator=integrator
+    )
+    for _ in range(5):
+        scene.run(0.4)
+        assert place(scene) == pytest.approx(way * 0.30037, abs=1e-12)
+        assert speed(scene) == pytest.approx(0, abs=1e-12)
 
 
 def test_a_ball_between_elastic_stops():
