@@ -16,7 +16,11 @@ from physsim.cli import outcome, output
 from physsim.cli.verb import ENVIRONMENT, EXIT_CODES, Settings, debug_option, definitions
 
 # Every verb lives in the module of its name and is called `command` there.
-VERBS = ("run", "validate", "info", "materials", "schema", "new", "diff", "plot", "verify", "completion")
+VERBS = (
+    *("run", "validate", "info", "materials", "schema", "new"),
+    *("diff", "plot", "export"),
+    *("verify", "completion"),
+)
 
 
 class Verbs(click.Group):

@@ -105,20 +105,21 @@ class Table(Mapping[str, Array]):
         """The rows that a mask (rows) or a list of row numbers picks."""
         return Table({name: column[chosen] for name, column in self._columns.items()})
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """One row per row; a column of vectors becomes `force.x`, `force.y`, `force.z`.
-
-        Needs pandas (extra `analysis`).
-        """
-        import pandas  # noqa: PLC0415, optional and slow to import
-
-        flat: dict[str, Array] = {}
+    def flat(self) -> dict[str, Array]:
+        """Columns of single values: a column of vectors becomes `force.x`, `force.y`, `force.z`."""
+        columns: dict[str, Array] = {}
         for name, column in self._columns.items():
             parts = (
                 {f"{name}.{axis}": column[:, k] for k, axis in enumerate("xyz")} if column.ndim > 1 else {}
             )
-            flat |= parts or {name: column}
-        return pandas.DataFrame(flat)
+            columns |= parts or {name: column}
+        return columns
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """The columns of `flat`. Needs pandas (extra `analysis`)."""
+        import pandas  # noqa: PLC0415, optional and slow to import
+
+        return pandas.DataFrame(self.flat())
 
     def __repr__(self) -> str:
         return f"<{self.rows} rows of {', '.join(self._columns)}>"

@@ -9,13 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from physsim.analysis.names import expanded
 from physsim.recording import NotInFile, Trajectory
 from physsim.recording.views import columns_of
 
 Floats = NDArray[np.float64]
 LEDGER = "energy"
-_GROUPED = re.compile(r"(bodies|joints|springs)\.(.*)", re.DOTALL)
-_NAMES = {"bodies": "body_names", "joints": "joint_names", "springs": "spring_names"}
 
 
 @dataclass(frozen=True)
@@ -83,33 +82,6 @@ def curves_of(trajectory: Trajectory, wish: Wish, frames: slice) -> list[Curve]:
     return [
         Curve(wish.quantity, labels[0], "", labels[1], np.asarray(x, np.float64), np.asarray(y, np.float64))
     ]
-
-
-def expanded(trajectory: Trajectory, name: str) -> list[str]:
-    """The names that a pattern stands for (`bodies.brick*.speed`); a name without `*` is itself."""
-    match = _GROUPED.match(name)
-    if "*" not in name or not match:
-        return [name]
-    found = list(_fitting(trajectory, match[1], match[2]))
-    if not found:
-        raise NotInFile(f"{trajectory.path}: nothing fits {name}")
-    return found
-
-
-def _fitting(trajectory: Trajectory, group: str, rest: str) -> Iterator[str]:
-    """`brick*.position.z`: the field is what follows the last `*`-free dot that makes it a quantity."""
-    from physsim.scene.patterns import matches  # noqa: PLC0415, slow to import
-
-    pattern, field = _split(trajectory, group, rest)
-    for owner in getattr(trajectory, _NAMES[group]):
-        if matches(pattern, owner):
-            yield f"{group}.{owner}.{field}"
-
-
-def _split(trajectory: Trajectory, group: str, rest: str) -> tuple[str, str]:
-    quantity = trajectory.find_quantity(f"{group}.{rest}")
-    field = quantity.field if quantity.component is None else f"{quantity.field}.{quantity.component}"
-    return str(quantity.name), field
 
 
 def _single(trajectory: Trajectory, name: str) -> str:
