@@ -17,7 +17,6 @@ mod islands;
 pub mod joint;
 pub mod ledger;
 pub mod loads;
-mod located;
 pub mod math;
 pub mod model;
 pub mod motion;

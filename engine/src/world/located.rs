@@ -12,7 +12,8 @@ use crate::collide::Oracle;
 use crate::contact::Memory;
 use crate::impact::{touching_instant, touching_speed, Rules};
 use crate::ledger::Ledger;
-use crate::world::{Failure, World};
+
+use super::{Failure, World};
 
 /// Parts of a step at most; one that needs more is finished as a stepped one.
 const PARTS: usize = 1000;
@@ -43,7 +44,7 @@ struct Mark {
 
 impl World {
     /// One step, impact by impact.
-    pub(crate) fn advance_located(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+    pub(super) fn advance_located(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
         for _ in 0..PARTS {
             let left = self.settings.timestep - self.passed;
             if left <= NOTHING * self.settings.timestep {

@@ -1,0 +1,194 @@
+//! The solve of contacts and drives within a step, and its books.
+
+use glam::DVec3;
+
+use crate::body::Body;
+use crate::impact::gap_change;
+use crate::joint::{Cause, Row};
+use crate::loads::work_of_fixed;
+use crate::math::length;
+use crate::model::Stabilization;
+use crate::position::SLOP;
+use crate::solver::Limits;
+
+use super::World;
+
+/// Where sweeps run out, velocities are off by this many times what the last sweep still changed.
+const NOISE: f64 = 10.0;
+impl World {
+    /// Impulses that keep bodies apart, rub them and drive their joints, all together, from where the bodies would be
+    /// without them. They act on the motion as constant forces.
+    pub(super) fn solve_contacts(&mut self, h: f64) {
+        self.aim_contacts(h);
+        let pull = if self.settings.stabilization == Stabilization::Baumgarte {
+            self.settings.baumgarte / h
+        } else {
+            0.0
+        };
+        let hold = |row: &Row| {
+            if pull > 0.0 {
+                -pull * row.value
+            } else {
+                -h * row.bias
+            }
+        };
+        self.articulation.aim_step(hold, h);
+        self.every.clear();
+        self.every.extend(0..self.contacts.len());
+        let limits = Limits {
+            iterations: self.settings.iterations,
+            tolerance: self.settings.tolerance,
+        };
+        self.solver.load_after(&self.bodies, &self.loads.free, h);
+        self.report = self.solver.solve(
+            &mut self.contacts,
+            &self.every,
+            &mut self.articulation,
+            limits,
+        );
+        let tolerance = self.settings.tolerance;
+        for (noise, &residual) in self.noise.iter_mut().zip(self.solver.residuals()) {
+            *noise = if residual < tolerance {
+                0.0
+            } else {
+                NOISE * residual
+            };
+        }
+        self.articulation.keep_holds();
+        self.lock_joints();
+        let system = (&self.joints, &self.articulation);
+        self.loads.hold(&self.contacts, system, h);
+        self.memory.store(&self.contacts, &self.bodies, h);
+        self.note_contacts(h);
+        self.note_drives(h);
+        self.arrest(true, h);
+        self.arrest(false, h);
+    }
+
+    /// Coordinates that a limit or friction brings to rest, or keeps there, are rows of the joints for this step.
+    fn lock_joints(&mut self) {
+        for (k, drive) in self.articulation.drives().iter().enumerate() {
+            if let Some(lock) = drive.lock.filter(|_| self.articulation.reaches(k)) {
+                self.joints.lock(k, lock);
+            }
+        }
+    }
+
+    /// What speed locked coordinates have is lost, to an impact against the limit or to friction.
+    fn arrest(&mut self, by_limit: bool, h: f64) {
+        if !self.joints.any_locked(by_limit) {
+            return;
+        }
+        self.articulation.load_bilateral(&self.joints, &self.bodies);
+        self.articulation.clear_impulses();
+        let rows = self.articulation.rows();
+        self.joints
+            .arrest(rows, &self.bodies, by_limit, &mut self.values);
+        let before = self.kinetic_energy(h);
+        self.articulation.kick(&mut self.bodies, &self.values);
+        let lost = before - self.kinetic_energy(h);
+        if by_limit {
+            self.ledger.lost_impact += lost;
+        } else {
+            self.ledger.lost_friction += lost;
+        }
+    }
+
+    /// Of the velocities v + a s dt / 2 on the integrator's parabola, see `impact.rs`, to first order in dt [J].
+    fn kinetic_energy(&self, h: f64) -> f64 {
+        let of = |b: &Body| b.kinetic_energy().0 + b.kinetic_energy().1;
+        let moving = self.bodies.iter().filter(|b| !b.is_fixed());
+        moving.map(of).sum::<f64>() + 0.5 * self.rules(h).offset() * self.loads.power(&self.bodies)
+    }
+
+    /// Where every contact's normal velocity is to go, its friction, and the impulse to begin with.
+    fn aim_contacts(&mut self, h: f64) {
+        let baumgarte = self.settings.stabilization == Stabilization::Baumgarte;
+        let lead = self.settings.integrator.lead();
+        self.gaps.clear();
+        self.starts.clear();
+        for c in &mut self.contacts {
+            let u = c.velocity(&self.bodies);
+            c.choose_friction(u, self.settings.slip_speed);
+            let gap = c.gap + gap_change(&self.impacts.kinks, c);
+            c.target = if gap > SLOP {
+                closing_speed(gap, u.x, h, lead)
+            } else if baumgarte && gap < 0.0 {
+                -self.settings.baumgarte * gap / h
+            } else {
+                0.0
+            };
+            c.clear_impulse();
+            self.starts.push(u);
+            self.gaps.push(gap);
+        }
+        self.memory
+            .recall(&mut self.contacts, &self.bodies, &self.match_radius, h);
+    }
+
+    /// Velocities after the solve, their work, and the gaps that they lead to.
+    fn note_contacts(&mut self, h: f64) {
+        let tolerance = 10.0 * self.settings.tolerance;
+        let lead = self.settings.integrator.lead();
+        for ((c, start), gap) in self
+            .contacts
+            .iter_mut()
+            .zip(&self.starts)
+            .zip(&mut self.gaps)
+        {
+            let u = self.solver.velocity(c);
+            c.velocity_after = c.to_world(u);
+            let mean = 0.5 * (*start + u);
+            self.ledger
+                .book(0.0, c.impulse.y * mean.y + c.impulse.z * mean.z);
+            // A contact that aims at parting is Baumgarte's: its work takes back an overlap.
+            if c.target > 0.0 {
+                self.ledger.stabilization += c.impulse.x * mean.x;
+            } else {
+                self.ledger.book(c.impulse.x * mean.x, 0.0);
+            }
+            self.ledger.work_motors -= c.to_world(c.impulse).dot(c.driven(&self.bodies));
+            if let Some(roll) = &c.roll {
+                let turned = roll.to_world(roll.impulse);
+                let mean = 0.5 * (c.turning(&self.bodies) + self.solver.turning(c));
+                self.ledger.book(0.0, turned.dot(mean));
+                let driven = c.driven_turning(&self.bodies);
+                self.ledger.work_motors -= turned.dot(driven);
+            }
+            *gap += ((1.0 - lead) * start.x + lead * u.x) * h;
+            let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
+            c.sliding = loaded && length(u.y, u.z) > tolerance;
+        }
+    }
+
+    /// Work of motors, and what limits and dry friction take.
+    fn note_drives(&mut self, h: f64) {
+        let impulses = self.articulation.drive_impulses();
+        for (k, (drive, &impulse)) in self.articulation.drives().iter().zip(impulses).enumerate() {
+            if drive.is_idle() || self.joints.is_locked(k) {
+                continue;
+            }
+            let mean = 0.5 * (drive.row.rate(&self.bodies) + self.solver.rate(&drive.row));
+            let work = impulse * mean;
+            self.ledger.work_motors += work_of_fixed(&[drive.row], &[impulse], &self.bodies);
+            match drive.cause {
+                Cause::Limit => self.ledger.book(work, 0.0),
+                Cause::Friction => self.ledger.book(0.0, work),
+                Cause::Motor => {
+                    let rubbed = drive.friction * h * mean.abs();
+                    self.ledger.lost_friction += rubbed;
+                    self.ledger.work_motors += work + rubbed;
+                }
+            }
+        }
+    }
+}
+
+/// The normal velocity at the end of a step of `h` that just closes a gap, from the velocity `start` at its beginning:
+/// gap + ((1 - lead) start + lead end) h = 0. A contact never asks for more than parting with no speed.
+fn closing_speed(gap: f64, start: f64, h: f64, lead: f64) -> f64 {
+    if lead == 0.0 {
+        return -gap / h; // this step's displacement is settled; the next one is to close the gap at most
+    }
+    ((-gap / h - (1.0 - lead) * start) / lead).min(0.0)
+}

@@ -1,0 +1,420 @@
+//! The world and its step.
+
+mod contacts;
+mod located;
+mod readings;
+mod snapshot;
+
+use glam::DVec3;
+
+use crate::approach::{near_margin, Approach, StepStart};
+use crate::articulation::Articulation;
+use crate::body::{Body, MassProperties, State};
+use crate::broadphase::Broadphase;
+use crate::collide::{Detector, Job, Oracle};
+use crate::contact::{Contact, Memory};
+use crate::force::{Forces, Powers};
+use crate::impact::{Impacts, Rules, Scene};
+use crate::integrator::Dynamics;
+use crate::joint::{Ahead, Joints};
+use crate::ledger::Ledger;
+use crate::loads::Loads;
+use crate::model::{Geom, Model, PairTable, Settings, Stabilization};
+use crate::mover::Twist;
+use crate::paths::Paths;
+use crate::position::Correction;
+use crate::shape::Aabb;
+use crate::solver::{Report, Solver};
+
+/// Speeds above this are a blow-up, not physics [m/s].
+const SPEED_LIMIT: f64 = 1e8;
+/// A body slower than this, in its fastest point, rests [m/s].
+const REST_SPEED: f64 = 1e-3;
+
+/// Why a step could not be made.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// A body's state is not finite, or faster than any body can be.
+    Diverged {
+        /// Index of the body.
+        body: usize,
+        /// [s]
+        time: f64,
+    },
+    /// The oracle failed; its message.
+    Oracle(String),
+}
+
+/// Everything that a step needs, and the state that it advances.
+pub struct World {
+    settings: Settings,
+    geoms: Vec<Geom>,
+    pairs: PairTable,
+    /// Those of the scene, and the world itself as the last.
+    bodies: Vec<Body>,
+    forces: Forces,
+    joints: Joints,
+    articulation: Articulation,
+    paths: Paths,
+    loads: Loads,
+    contacts: Vec<Contact>,
+    memory: Memory,
+    broadphase: Broadphase,
+    detector: Detector,
+    approach: Approach,
+    impacts: Impacts,
+    solver: Solver,
+    correction: Correction,
+    ledger: Ledger,
+    report: Report,
+    step: u64,
+    resting_steps: u64,
+    fallbacks: u64,
+    boxes: Vec<Aabb>,
+    candidates: Vec<(u32, u32)>,
+    jobs: Vec<Job>,
+    starts: Vec<DVec3>,
+    gaps: Vec<f64>,
+    every: Vec<usize>,
+    match_radius: Vec<f64>,
+    noise: Vec<f64>,
+    /// Of the joints' rows as the integrator left them.
+    values: Vec<f64>,
+    /// Part of the step that is already made [s].
+    passed: f64,
+}
+
+impl World {
+    /// Build the world at its start.
+    #[must_use]
+    pub fn new(model: Model) -> Self {
+        let bodies = place_bodies(&model);
+        let forces = Forces::new(model.forces, &bodies);
+        let joints = Joints::new(model.joints, model.drives, &bodies);
+        let ahead = Ahead {
+            time: 0.0,
+            timestep: model.settings.timestep,
+            lead: model.settings.integrator.lead(),
+        };
+        let mut world = Self {
+            broadphase: Broadphase::new(&model.geoms, &model.no_contact),
+            noise: vec![0.0; bodies.len()],
+            match_radius: model
+                .geoms
+                .iter()
+                .map(|g| 0.2 * g.shape.bounding_radius())
+                .collect(),
+            articulation: Articulation::new(&joints, &bodies, ahead),
+            paths: Paths::new(model.motions, &bodies),
+            loads: Loads::new(bodies.len()),
+            settings: model.settings,
+            geoms: model.geoms,
+            pairs: model.pairs,
+            bodies,
+            forces,
+            joints,
+            contacts: Vec::new(),
+            memory: Memory::default(),
+            detector: Detector::default(),
+            approach: Approach::default(),
+            impacts: Impacts::default(),
+            solver: Solver::default(),
+            correction: Correction::default(),
+            ledger: Ledger::default(),
+            report: Report::default(),
+            step: 0,
+            resting_steps: 0,
+            fallbacks: 0,
+            boxes: Vec::new(),
+            candidates: Vec::new(),
+            jobs: Vec::new(),
+            starts: Vec::new(),
+            gaps: Vec::new(),
+            every: Vec::new(),
+            values: Vec::new(),
+            passed: 0.0,
+        };
+        world.paths.arrive(&mut world.bodies, 0.0);
+        world.ledger.initial = world.energies().total();
+        world
+    }
+
+    /// One step of the timestep.
+    ///
+    /// # Errors
+    /// [`Failure`]; the state is then that of the failed step.
+    pub fn step(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        self.impacts.begin_step();
+        if self.settings.locates() {
+            self.advance_located(oracle)?;
+        } else {
+            self.advance(self.settings.timestep, oracle)?;
+        }
+        self.step += 1;
+        self.passed = 0.0;
+        self.observe();
+        self.watch()
+    }
+
+    /// Move on by `h`.
+    fn advance(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        self.survey(h, oracle)?;
+        self.resolve_impacts(&self.rules(h));
+        self.finish(h);
+        Ok(())
+    }
+
+    /// What acts on bodies, and what touches or will touch within `h`.
+    fn survey(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        self.impacts.begin_part(self.bodies.len());
+        self.evaluate_forces(h);
+        self.collide(h, oracle)
+    }
+
+    /// Contacts and joints, then the motion, then what it left of overlaps.
+    fn finish(&mut self, h: f64) {
+        self.solve_contacts(h);
+        self.move_bodies(h);
+        self.correct_positions();
+    }
+
+    /// Accelerations of bodies, as their joints allow them, and what drives and limits of joints ask for.
+    fn evaluate_forces(&mut self, h: f64) {
+        let ahead = Ahead {
+            time: self.time(),
+            timestep: h,
+            lead: self.settings.integrator.lead(),
+        };
+        self.paths
+            .depart(&mut self.bodies, ahead.time, h, ahead.lead);
+        self.joints.release();
+        let system = (&self.forces, &self.joints, &mut self.articulation);
+        self.loads.evaluate(&self.bodies, system, ahead);
+    }
+
+    /// Contacts of this step: points that are nearly touching, and points that will touch before the step ends, at
+    /// the instant of touching.
+    fn collide(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        let travel = |(b, a): (&Body, &Twist)| {
+            let spin = b.angular_velocity.length() + a.angular_velocity.length() * h;
+            // A half-space reaches infinitely far, but most stand still.
+            let swept = if spin > 0.0 { spin * b.reach } else { 0.0 };
+            h * (b.state.velocity.length() + a.velocity.length() * h + swept)
+        };
+        let bodies = self.bodies.iter();
+        let travels: Vec<f64> = bodies.zip(&self.loads.accelerations).map(travel).collect();
+        self.find_candidates(&travels);
+        self.jobs.clear();
+        for &(i, j) in &self.candidates {
+            let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
+            let margin = near_margin(a, b) + travels[a.body] + travels[b.body];
+            self.jobs.push(self.job((i, j), margin));
+        }
+        let start = StepStart {
+            settings: &self.settings,
+            geoms: &self.geoms,
+            pairs: &self.pairs,
+            bodies: &self.bodies,
+            accelerations: &self.loads.accelerations,
+            noise: &self.noise,
+            rules: self.rules(h),
+        };
+        self.detector
+            .run(&self.geoms, &self.jobs, self.settings.fcl_only, oracle)
+            .and_then(|()| {
+                self.approach.contacts(
+                    &start,
+                    &self.jobs,
+                    &mut self.detector,
+                    oracle,
+                    &mut self.contacts,
+                )
+            })
+            .map_err(Failure::Oracle)
+    }
+
+    /// Pairs of geoms whose boxes, grown by what the bodies may travel in a step, overlap.
+    fn find_candidates(&mut self, travels: &[f64]) {
+        self.boxes.clear();
+        for geom in &self.geoms {
+            let pose = geom.pose(&self.bodies[geom.body].pose());
+            let grown = travels[geom.body] + near_margin(geom, geom);
+            self.boxes.push(geom.shape.aabb(&pose).expanded(grown));
+        }
+        let bodies = &self.bodies;
+        self.broadphase.pairs(
+            &self.geoms,
+            &self.boxes,
+            |k| !bodies[k].is_fixed(),
+            &mut self.candidates,
+        );
+    }
+
+    /// Two geoms where their bodies are now.
+    fn job(&self, geoms: (u32, u32), margin: f64) -> Job {
+        let pose = |k: u32| {
+            let geom = &self.geoms[k as usize];
+            geom.pose(&self.bodies[geom.body].pose())
+        };
+        Job {
+            geoms,
+            poses: (pose(geoms.0), pose(geoms.1)),
+            margin,
+        }
+    }
+
+    fn rules(&self, h: f64) -> Rules {
+        Rules {
+            timestep: h,
+            horizon: h,
+            whole: self.settings.timestep,
+            time: self.time(),
+            bounce_speed: self.settings.bounce_speed,
+            tolerance: self.settings.tolerance,
+            slip_speed: self.settings.slip_speed,
+            iterations: self.settings.iterations,
+            lead: self.settings.integrator.lead(),
+        }
+    }
+
+    fn resolve_impacts(&mut self, rules: &Rules) {
+        let mut scene = Scene {
+            bodies: &mut self.bodies,
+            accelerations: &self.loads.accelerations,
+            contacts: &mut self.contacts,
+            articulation: &mut self.articulation,
+        };
+        self.impacts.resolve(&mut scene, rules);
+        if self.impacts.any {
+            self.ledger.book(self.impacts.work.0, self.impacts.work.1);
+            self.ledger.work_motors += self.impacts.driven_work;
+            self.evaluate_forces(rules.timestep);
+        }
+    }
+
+    /// The integrator's step, with contacts and drives as constant forces. Impacts inside the step had less than the
+    /// whole step to act.
+    fn move_bodies(&mut self, h: f64) {
+        let time = self.time();
+        if !self.paths.is_empty() {
+            self.paths.arrive(&mut self.bodies, time);
+            self.articulation.load_bilateral(&self.joints, &self.bodies);
+            let rows = self.articulation.rows();
+            self.loads.note_fixed(rows, &self.bodies);
+        }
+        let loads = &mut self.loads;
+        loads.reactions.clear();
+        let mut d = Dynamics {
+            forces: &self.forces,
+            joints: &self.joints,
+            articulation: &mut self.articulation,
+            paths: &self.paths,
+            span: (time, h),
+            held: &loads.held,
+            beta: self.settings.baumgarte,
+            baumgarte: self.settings.stabilization == Stabilization::Baumgarte,
+            work: Powers::default(),
+            stabilization: 0.0,
+            reactions: &mut loads.reactions,
+            scratch: &mut loads.scratch,
+        };
+        self.settings.integrator.advance(&mut self.bodies, &mut d);
+        let (work, stabilization) = (d.work, d.stabilization);
+        // Kicks add to the angular velocity; from the same momentum and pose it is to be the same, also after a resume.
+        self.bodies.iter_mut().for_each(Body::derive);
+        self.ledger.work_forces += work.forces;
+        self.ledger.work_motors += work.motors;
+        self.ledger.lost_damping -= work.damping;
+        self.ledger.stabilization += stabilization;
+        if !self.paths.is_empty() {
+            let rows = self.articulation.rows();
+            self.ledger.work_motors += self.loads.work_of_paths(rows, &self.bodies);
+        }
+        self.joints.values(&self.bodies, &mut self.values);
+        for (body, kink) in self.bodies.iter_mut().zip(&self.impacts.kinks) {
+            kink.straighten(body);
+        }
+        self.paths.arrive(&mut self.bodies, time + h);
+    }
+
+    /// Overlaps are taken back by moving bodies; joints then are put back as the integrator left them.
+    fn correct_positions(&mut self) {
+        if self.settings.stabilization == Stabilization::Baumgarte {
+            return;
+        }
+        let before = self.potential().total();
+        let beta = self.settings.baumgarte;
+        let moved = self
+            .correction
+            .apply(&mut self.bodies, &self.contacts, &self.gaps, beta);
+        if (moved || self.impacts.any) && !self.articulation.is_empty() {
+            let scratch = &mut self.loads.scratch;
+            self.articulation
+                .restore(&self.joints, &mut self.bodies, &self.values, scratch);
+        }
+        if moved {
+            self.ledger.stabilization += self.potential().total() - before;
+        }
+    }
+
+    /// What counts turns has seen another step.
+    fn observe(&mut self) {
+        self.joints.observe(&self.bodies);
+        if self.joints.can_break() {
+            self.break_joints();
+        }
+        self.forces.observe(&self.bodies);
+        self.paths.observe(self.time());
+    }
+
+    /// Joints that carry more than they bear let go. What their springs held is lost.
+    fn break_joints(&mut self) {
+        let loads = self.joint_loads();
+        let before = self.joints.spring_energy(&self.bodies);
+        self.joints.break_overloaded(&loads);
+        self.ledger.lost_impact += before - self.joints.spring_energy(&self.bodies);
+    }
+
+    /// Has anything blown up? Does everything rest?
+    fn watch(&mut self) -> Result<(), Failure> {
+        let mut resting = true;
+        for (index, body) in self
+            .bodies
+            .iter()
+            .enumerate()
+            .filter(|(_, b)| !b.is_fixed())
+        {
+            let speed = body.state.velocity.length();
+            let spin = body.angular_velocity.length();
+            if !(speed < SPEED_LIMIT && body.state.position.is_finite() && spin.is_finite()) {
+                return Err(Failure::Diverged {
+                    body: index,
+                    time: self.time(),
+                });
+            }
+            resting &= speed + spin * body.reach.max(1e-3) < REST_SPEED;
+        }
+        self.resting_steps = if resting { self.resting_steps + 1 } else { 0 };
+        Ok(())
+    }
+}
+
+/// Bodies at their starts, and the world behind them.
+fn place_bodies(model: &Model) -> Vec<Body> {
+    let mut bodies: Vec<Body> = Vec::with_capacity(model.bodies.len() + 1);
+    for (mass, state, omega) in &model.bodies {
+        let mut body = Body::new(mass.clone(), *state);
+        body.set_angular_velocity(*omega);
+        bodies.push(body);
+    }
+    bodies.push(Body::new(MassProperties::fixed(), State::default()));
+    for geom in &model.geoms {
+        let reach = geom.position.length() + geom.shape.bounding_radius();
+        let body = &mut bodies[geom.body];
+        body.reach = body.reach.max(reach);
+    }
+    for (body, &velocity) in bodies.iter_mut().zip(&model.surface_velocities) {
+        body.surface_velocity = velocity;
+    }
+    bodies
+}
