@@ -15,7 +15,7 @@ from physsim.simulation import check_expectations
 
 FOLDER = Path(__file__).resolve().parents[2] / "scenes"
 SCENES = sorted(FOLDER.glob("*.yaml"))
-# Between frames the integrator itself may add this part of the energy that is there: semi-implicit Euler turns
+# Between frames the integrator itself may add this part of the energy: semi-implicit Euler turns
 # free bodies with first order. Measured at most 1e-3 (the wing nut).
 INTEGRATOR = 2e-3
 # The books may be wrong by this part of the energy that flowed. Measured at most 5.4e-4 (the coin).
