@@ -351,7 +351,7 @@ def test_a_shaken_table_is_where_it_belongs(integrator):
     found = samples(moving(integrator, motion), TIMES, pose)
     w = 2 * np.pi * 0.7
     course, rate, zero = np.sin(w * TIMES), w * np.cos(w * TIMES), np.zeros_like(TIMES)
-    places = np.outer(course, (0.2, 0, -0.1)) + (1, 0, 0)
+    places = np.array([1, 0, 0]) + np.outer(course, (0.2, 0, -0.1))
     turned = np.column_stack([np.cos(course / 4), zero, zero, np.sin(course / 4)])
     truth = [places, turned, np.outer(rate, (0.2, 0, -0.1)), np.outer(rate, (0, 0, 0.5))]
     assert found == pytest.approx(np.hstack(truth), abs=1e-13)

@@ -25,6 +25,8 @@ from motions import (
     swing,
 )
 
+from physsim.model.stability import largest_step
+
 
 @cache
 def theory_of(name: str) -> Any:
@@ -277,3 +279,22 @@ def test_the_books_of_a_damped_oscillator_close(integrator):
     assert residuals[0] / residuals[1] == pytest.approx(2**order, rel=0.1)
     # measured at most 0.93 of the residual
     assert scene.book("lost_damping") == pytest.approx(gone, abs=2 * abs(residuals[1]))
+
+
+# ------------------------------------------------------------------------------------------------ stability
+
+
+@pytest.mark.parametrize("zeta", [0.05, 0.5])
+@pytest.mark.parametrize("integrator", ORDERS)
+def test_oscillators_grow_beyond_the_bound_that_scenes_are_warned_of(integrator, zeta):
+    """2 % below it they die out, 2 % above they grow."""
+    left = []
+    for part in (0.98, 1.02):
+        step = part * largest_step(integrator, zeta)  # of omega = 1 rad/s
+        ball = {"position": (10.001, 0, 0)}
+        spring = {"type": "linear", "between": ("world", "ball"), "rest_length": 10, "stiffness": 1}
+        spring["damping_ratio"] = zeta
+        scene = mechanics({"ball": ball}, springs={"s": spring}, integrator=integrator, timestep=step)
+        left.append(abs(scene.step(1000).get("position", "ball")[0] - 10))
+    assert left[0] < 0.0009  # of 0.001 m; measured 0.00075 in explicit Euler, less else
+    assert left[1] > 0.01
