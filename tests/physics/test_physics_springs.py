@@ -52,8 +52,8 @@ def swing(zeta: float, x: float, v: float, times: Any, omega: float = OMEGA) -> 
 @pytest.mark.parametrize("zeta", [0.0, 0.1, 0.7, 1.0, 2.5])
 @pytest.mark.parametrize("way", ["damping", "damping_ratio"])
 def test_damped_motion(way, zeta):
-    """By coefficient and by ratio, measured 3e-11 m; what the damper took is what is missing, 1.3e-8 of 3.2
-    J.
+    """By coefficient and by ratio, measured 3e-11 m; what the damper took is what is missing, 1.3e-8 J
+    of 3.2.
     """
     scene = on_spring(
         0.2, -1.5, stiffness=STIFFNESS, **{way: zeta if way == "damping_ratio" else zeta * CRITICAL}
@@ -478,7 +478,7 @@ def test_torsion_between_two_wheels():
 
 
 def test_torsion_between_tumbling_bodies_keeps_energy_and_angular_momentum():
-    """Also where the axes come apart: the torque is the gradient of the energy. Measured 5e-12 J and 2e-16."""
+    """Also where the axes come apart: the torque is the gradient of the energy. Measured 5e-12 J, 2e-16."""
     spin = {"a": (0.5, 0.3, 1.0), "b": (-0.4, 0.6, -2.0)}
     moments = {"a": {"xx": 0.03, "yy": 0.05, "zz": 0.04}, "b": {"xx": 0.02, "yy": 0.012, "zz": 0.025}}
     bodies = {name: {"inertia": moments[name], "angular_velocity": spin[name]} for name in "ab"}
