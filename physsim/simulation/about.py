@@ -111,7 +111,7 @@ def _provenance(scene: Scene, model: Model) -> dict[str, Any]:
         "provenance/scene": scene.text,
         "provenance/scene_resolved": scene.resolved_yaml(),
         "provenance/mesh_sha256": json.dumps(dict(model.mesh_sha256), sort_keys=True),
-        "provenance/versions": json.dumps(_versions()),
+        "provenance/versions": json.dumps(versions()),
         "provenance/host": f"{platform.node()}, {platform.platform()}",
         "provenance/command": shlex.join(sys.argv),
         "provenance/started": now(),
@@ -121,11 +121,12 @@ def _provenance(scene: Scene, model: Model) -> dict[str, Any]:
 
 
 @cache
-def _versions() -> dict[str, str]:
-    versions = {"physsim": physsim.__version__, "python": platform.python_version()}
+def versions() -> dict[str, str]:
+    """Of physsim and of what it stands on, by name."""
+    found = {"physsim": physsim.__version__, "python": platform.python_version()}
     for name in PACKAGES:
         try:
-            versions[name] = importlib.metadata.version(name)
+            found[name] = importlib.metadata.version(name)
         except importlib.metadata.PackageNotFoundError:
             continue
-    return versions
+    return found
