@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from laboratory import GRAVITY, Lab, mechanics
+from laboratory import GRAVITY, Lab, mechanics, rotation
 from workbench import moved
 
 DOWN = (0, 0, -GRAVITY)
@@ -124,13 +124,16 @@ def link(
     }
 
 
-def pendulum(integrator: str, timestep: float) -> Lab:
+def pendulum(integrator: str, timestep: float, *, damping: float = 0.0) -> Lab:
+    """A link on a hinge, damped or not."""
     bodies = {"upper": link(LONG, 2.0, (0, 0, 0), (TILTS[0], RATES[0]))}
     hinge = {"type": "hinge", "between": ("world", "upper"), "anchor": (0, 0, 0), "axis": (0, 1, 0)}
+    hinge["damping"] = damping
     return mechanics(bodies, joints={"pin": hinge}, integrator=integrator, timestep=timestep, gravity=DOWN)
 
 
 def double_pendulum(integrator: str, timestep: float) -> Lab:
+    """The same link and a shorter one below it, on another hinge."""
     angle, rate = TILTS[0], RATES[0]
     elbow = LONG[2] * np.array([np.sin(angle), 0, -np.cos(angle)])
     speed = LONG[2] * rate * np.array([np.cos(angle), 0, np.sin(angle)])
@@ -158,11 +161,15 @@ def both(scene: Lab) -> Any:
     return swing(scene, ("upper", "lower"))
 
 
-def pendulum_theory(times: Any) -> Any:
-    """I theta'' = -m g l sin(theta)."""
+def pendulum_theory(times: Any, damping: float = 0.0) -> Any:
+    """I theta'' = -m g l sin(theta) - c theta'."""
     arm = LONG[2] / 2
-    pull = 2.0 * GRAVITY * arm / (moment(LONG, 2.0) + 2.0 * arm**2)
-    angle, rate = moved(lambda _, y: [y[1], -pull * np.sin(y[0])], [TILTS[0], RATES[0]], times).T
+    about = moment(LONG, 2.0) + 2.0 * arm**2
+
+    def rates(_: float, y: Any) -> Any:
+        return [y[1], -(2.0 * GRAVITY * arm * np.sin(y[0]) + damping * y[1]) / about]
+
+    angle, rate = moved(rates, [TILTS[0], RATES[0]], times).T
     return np.column_stack([angle, rate, arm * np.sin(angle), -arm * np.cos(angle)])
 
 
@@ -186,6 +193,63 @@ def double_pendulum_theory(times: Any) -> Any:
     x, z = length * np.sin(a), -length * np.cos(a)
     upper = c1 * np.sin(a), -c1 * np.cos(a)
     return np.column_stack([a, b, u, v, *upper, x + c2 * np.sin(b), z - c2 * np.cos(b)])
+
+
+# -------------------------------------------------------------------------------- two boxes on a spring
+
+MASSES = np.array([2.0, 1.0])
+MOMENTS = np.array([[0.03, 0.05, 0.04], [0.02, 0.012, 0.025]])
+ARMS = np.array([[0.2, 0.1, 0.0], [-0.1, 0.2, 0.1]])  # where it is tied
+PLACES, SPEEDS = np.array([[0, 0, 0], [0.9, 0.2, 0]]), np.array([[0, 0.4, 0], [0, -0.3, 0.5]])
+SPINS = np.array([[1.0, 2.0, -1.0], [0.5, -3.0, 1.0]])
+TIE = {"stiffness": 30.0, "damping": 0.5, "rest_length": 0.4}
+
+
+def tumbling_boxes(integrator: str, timestep: float) -> Lab:
+    """Two free bodies with three different moments each, on a spring and damper between points of theirs."""
+    bodies = {
+        name: {
+            "mass": MASSES[i],
+            "inertia": dict(zip(("xx", "yy", "zz"), MOMENTS[i], strict=True)),
+            "position": PLACES[i],
+            "velocity": SPEEDS[i],
+            "angular_velocity": SPINS[i],
+        }
+        for i, name in enumerate("ab")
+    }
+    tie = {"type": "linear", "between": ("a", "b"), "anchors": ARMS} | TIE
+    return mechanics(bodies, springs={"tie": tie}, integrator=integrator, timestep=timestep)
+
+
+def where_boxes_are(scene: Lab) -> Any:
+    """Place (3) [m], velocity (3) [m/s] and R (9) of each."""
+    turns = [rotation(q).ravel() for q in scene.all("orientation")]
+    return np.hstack([scene.all("position"), scene.all("velocity"), turns])
+
+
+def tumbling_boxes_theory() -> Any:
+    """Newton's equations of both centres and Euler's in body axes; of each x, v, R and omega (18)."""
+    each = [np.concatenate([PLACES[i], SPEEDS[i], np.eye(3).ravel(), SPINS[i]]) for i in range(2)]
+    return moved(rates_of_boxes, np.concatenate(each), TIMES).reshape(-1, 2, 18)[:, :, :15].reshape(-1, 30)
+
+
+def rates_of_boxes(_: float, y: Any) -> Any:
+    parts = [(s[:3], s[3:6], s[6:15].reshape(3, 3), s[15:]) for s in y.reshape(2, 18)]
+    both_ends = list(zip(parts, ARMS, strict=True))
+    ends = [place + turn @ arm for (place, _, turn, _), arm in both_ends]
+    speeds = [speed + turn @ np.cross(spin, arm) for (_, speed, turn, spin), arm in both_ends]
+    length = np.linalg.norm(ends[1] - ends[0])
+    way = (ends[1] - ends[0]) / length
+    tension = TIE["stiffness"] * (length - TIE["rest_length"]) + TIE["damping"] * way @ (
+        speeds[1] - speeds[0]
+    )
+    out = []
+    for i, (_, speed, turn, spin) in enumerate(parts):
+        force = turn.T @ way * (tension if i == 0 else -tension)
+        torque = np.cross(ARMS[i], force) - np.cross(spin, MOMENTS[i] * spin)
+        skew = np.array([[0, -spin[2], spin[1]], [spin[2], 0, -spin[0]], [-spin[1], spin[0], 0]])
+        out += [speed, turn @ force / MASSES[i], (turn @ skew).ravel(), torque / MOMENTS[i]]
+    return np.concatenate(out)
 
 
 # ------------------------------------------------------------------------------------------------- motions
@@ -212,5 +276,13 @@ MOTIONS = {
     ),
     "torsional oscillator": Motion(torsional, winding, winding_theory, TIMES, FAST),
     "pendulum": Motion(pendulum, swing, lambda: pendulum_theory(TIMES), TIMES, FAST),
+    "damped pendulum": Motion(
+        lambda i, h: pendulum(i, h, damping=0.5),
+        swing,
+        lambda: pendulum_theory(TIMES, damping=0.5),
+        TIMES,
+        FAST,
+    ),
     "double pendulum": Motion(double_pendulum, both, lambda: double_pendulum_theory(TIMES), TIMES, FASTER),
+    "two boxes on a spring": Motion(tumbling_boxes, where_boxes_are, tumbling_boxes_theory, TIMES, FASTER),
 }
