@@ -6,19 +6,21 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from physsim.batch import sweep
     from physsim.recording import Trajectory, open_trajectory
     from physsim.scene import Scene
     from physsim.scene import load_scene as load
     from physsim.simulation import run
 
 __version__ = "0.1.0"
-__all__ = ["Scene", "Trajectory", "load", "open_trajectory", "run"]
+__all__ = ["Scene", "Trajectory", "load", "open_trajectory", "run", "sweep"]
 
 # Where each public name lives: imported at first use, so that `import physsim` stays quick.
 _HOMES = {
     "Scene": ("physsim.scene", "Scene"),
     "load": ("physsim.scene", "load_scene"),
     "run": ("physsim.simulation", "run"),
+    "sweep": ("physsim.batch", "sweep"),
     "Trajectory": ("physsim.recording", "Trajectory"),
     "open_trajectory": ("physsim.recording", "open_trajectory"),
 }

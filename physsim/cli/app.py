@@ -17,8 +17,8 @@ from physsim.cli.verb import ENVIRONMENT, EXIT_CODES, Settings, debug_option, de
 
 # Every verb lives in the module of its name and is called `command` there.
 VERBS = (
-    *("run", "validate", "info", "materials", "schema", "new"),
-    *("diff", "plot", "export"),
+    *("run", "sweep", "validate", "info", "materials", "schema", "new"),
+    *("diff", "plot", "export", "fit"),
     *("verify", "completion"),
 )
 
