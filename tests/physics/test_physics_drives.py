@@ -388,6 +388,25 @@ def test_a_rod_breaks_at_its_force():
     assert world.get("velocity", "ball")[2] == pytest.approx(-fall, rel=2e-3)
 
 
+@pytest.mark.parametrize("line", [{"length": 1.0}, {"limits": (0, 1.0)}])
+def test_a_pendulum_breaks_where_its_pull_is_too_great(line):
+    """Let go level the pull is 3 m g cos(angle from the vertical): 2 m g where the cosine is 2/3, on a rod
+    as on a rope.
+    """
+    ball = body("ball", "type: sphere, radius: 0.05", mass=1.0, position=(1, 0, 0), collides=False)
+    rod = {"type": "distance", "between": ("world", "ball"), "break_force": 2 * G}
+    world = bench(ball, {"line": rod | line}, scheme="velocity_verlet")
+    falls = [0.0]
+    while not world.step().joint("line")["broken"]:
+        falls.append(-world.get("position", "ball")[2])
+    assert falls[-1] < 2 / 3 < -world.get("position", "ball")[2] + 1e-5
+    speed = world.get("velocity", "ball")
+    assert speed @ speed == pytest.approx(2 * G * 2 / 3, rel=1e-2)
+    # Free from there on.
+    fallen = world.run(0.2).get("velocity", "ball")
+    assert fallen == pytest.approx(speed + np.array([0, 0, -0.2 * G]), abs=1e-12)
+
+
 @pytest.mark.parametrize(("share", "breaks"), [(1 - 1e-9, True), (1 + 1e-9, False)])
 def test_a_weld_breaks_at_its_torque(share, breaks):
     """A cantilever loads its weld with m g L / 2 = 9.81 N m; it breaks just below, and then falls without

@@ -112,8 +112,7 @@ def test_a_door_on_two_hinges(scheme):
     assert force == pytest.approx(inward - [0, 0, mass * G], abs=1e-9)
     moment = sum(r["torque"] + np.cross([0, 0, heights[n]], r["force"]) for n, r in reactions.items())
     expected = np.cross(centre, [0, 0, -mass * G]) + np.cross([0, 0, 1.0], inward)
-    # The share that the solve adds to the diagonal leaves 2e-5 of the moment where a row is redundant.
-    assert moment == pytest.approx(expected, rel=1e-3, abs=1e-9)
+    assert moment == pytest.approx(expected, abs=1e-9)
     for reaction in reactions.values():
         assert np.linalg.norm(reaction["force"]) < 1.2 * mass * G
         assert np.linalg.norm(reaction["torque"]) < 0.5 * np.linalg.norm(expected)
@@ -242,7 +241,9 @@ def test_a_chain_of_100_links_swings_and_cracks(last, scheme):
 
 @pytest.mark.parametrize(("upper", "lower"), [(1000.0, 1.0), (1.0, 1000.0)])
 def test_mass_ratios_of_a_double_pendulum(upper, lower):
-    """1 : 1000 both ways, against Lagrange's equations of two points (Landau & Lifshitz, sec. 5)."""
+    """1 : 1000 both ways, against Lagrange's equations of two points (Landau & Lifshitz, sec. 5). Measured
+    7e-8 m.
+    """
     tilt = 0.5
     way = np.array([np.sin(tilt), 0, -np.cos(tilt)])
     balls = body("up", "type: sphere, radius: 0.1", mass=upper, position=way, collides=False)
