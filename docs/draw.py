@@ -6,8 +6,11 @@ The pictures of README.md are frames of two scenes at these times:
 
     nuts_and_brackets 0 0.2 2
     brick_wall 0.12 0.17 0.4
+    wrecking_ball 0.3 0.76 1
+    mobile 0 0.3 20
 
-A small z-buffer over triangles, on a floor at z = 0, with soft shadows on the floor.
+A small z-buffer over triangles, on a floor at z = 0 (or below what hangs lower), with soft shadows on it.
+Linear springs are zigzag wires and distance joints straight ones between their ends.
 """
 
 from __future__ import annotations
@@ -16,6 +19,7 @@ import struct
 import sys
 import zlib
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +42,7 @@ PALETTE = np.array(
         [0.45, 0.48, 0.52],
     ]
 )
+WIRE, SPRING, STRING = 0.004, np.array([0.25, 0.27, 0.30]), np.array([0.45, 0.36, 0.25])
 SUN = np.array([0.45, -0.55, 1.0]) / np.linalg.norm([0.45, -0.55, 1.0])
 
 
@@ -88,6 +93,8 @@ def triangles_of(shape: Any, scene: Any) -> Array:
     makers = {
         "mesh": lambda: mesh_of(shape, scene),
         "sphere": lambda: trimesh.creation.icosphere(subdivisions=3, radius=shape.radius),
+        "hollow_sphere": lambda: trimesh.creation.icosphere(subdivisions=3, radius=shape.radius),
+        "rod": lambda: trimesh.creation.cylinder(radius=2 * WIRE, height=shape.length, sections=12),
         "box": lambda: trimesh.creation.box(extents=shape.size),
         "cylinder": lambda: trimesh.creation.cylinder(radius=shape.radius, height=shape.height, sections=48),
         "capsule": lambda: trimesh.creation.capsule(radius=shape.radius, height=shape.height),
@@ -101,6 +108,41 @@ def placed_part(part: Any, scene: Any) -> Array:
         triangles_of(part.shape, scene) @ rotation.matrix(np.array(part.orientation.as_quaternion())).T
         + part.position
     )
+
+
+def wire(points: Array) -> Array:
+    """Triangles (n, 3, 3) of a round wire along points (k, 3) [m]."""
+    pieces = [
+        trimesh.creation.cylinder(radius=WIRE, segment=ends, sections=8).triangles
+        for ends in pairwise(points)
+    ]
+    return np.concatenate(pieces)
+
+
+def zigzag(ends: Array, turns: int = 9) -> Array:
+    """Points of a spring between two ends (2, 3) [m]: straight at both, teeth to the sides between."""
+    along = ends[1] - ends[0]
+    across = np.cross(along, [0.55, -0.75, 0.3])
+    across *= 4 * WIRE / max(np.linalg.norm(across), 1e-12)
+    teeth = [k + 0.5 for k in range(turns)]
+    middle = [ends[0] + along * (0.15 + 0.7 * k / turns) + across * (-1) ** round(k - 0.5) for k in teeth]
+    return np.array([ends[0], *middle, ends[1]])
+
+
+def connections(scene: Any, poses: dict[str, tuple[Array, Array]]) -> list[tuple[Array, Array]]:
+    """Triangles and colours of linear springs and distance joints, for poses (position, matrix) by body."""
+    drawn = []
+    for spec in [*(scene.spec.springs or {}).values(), *(scene.spec.joints or {}).values()]:
+        if spec.type in ("linear", "distance"):
+            ends = np.array(
+                [
+                    poses[name][0] + poses[name][1] @ np.array(anchor)
+                    for name, anchor in zip(spec.between, spec.anchors, strict=True)
+                ]
+            )
+            coil = spec.type == "linear"
+            drawn.append((wire(zigzag(ends) if coil else ends), SPRING if coil else STRING))
+    return drawn
 
 
 def mesh_of(shape: Any, scene: Any) -> Any:
@@ -210,19 +252,25 @@ def main() -> None:
     with physsim.open_trajectory(trajectory_file) as trajectory:
         clock = np.asarray(trajectory.time)
         frames = [int(np.abs(clock - float(time)).argmin()) for time in times]
-        columns = [list(trajectory.body_names).index(name) for name in moving]
-        positions = np.asarray(trajectory.position[:])[:, columns]
-        turned = np.asarray(trajectory.orientation[:])[:, columns]
-    placed = [
-        [
-            shape @ rotation.matrix(q).T + p
-            for shape, q, p in zip(shapes, turned[frame], positions[frame], strict=True)
+        names = list(trajectory.body_names)
+        states = [(trajectory.position[frame], trajectory.orientation[frame]) for frame in frames]
+    placed, painted = [], []
+    for positions, turned in states:
+        poses = {name: (positions[k], rotation.matrix(turned[k])) for k, name in enumerate(names)}
+        wires = connections(scene, poses | {"world": (np.zeros(3), np.eye(3))})
+        solids = [
+            shape @ poses[name][1].T + poses[name][0] for name, shape in zip(moving, shapes, strict=True)
         ]
-        for frame in frames
-    ]
+        placed.append([*solids, *(triangles for triangles, _ in wires)])
+        painted.append([*colours, *(colour for _, colour in wires)])
     corners = np.concatenate([triangles.reshape(-1, 3) for bodies in placed for triangles in bodies])
+    lift = np.array([0, 0, max(0.0, -corners[:, 2].min())])
+    corners = corners + lift
     camera = Camera.around(corners)
-    panels = [picture(bodies, colours, camera, np.ptp(corners, axis=0).max() / 5) for bodies in placed]
+    panels = [
+        picture([shape + lift for shape in bodies], paint, camera, np.ptp(corners, axis=0).max() / 5)
+        for bodies, paint in zip(placed, painted, strict=True)
+    ]
     gap = np.ones((HEIGHT, GAP, 3))
     row = [part for panel in panels for part in (panel, gap)][:-1]
     write_png(Path(target), np.concatenate(row, axis=1))
