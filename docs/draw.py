@@ -2,10 +2,9 @@
 
     python docs/draw.py SCENE.yaml TRAJECTORY.h5 PICTURE.png TIME [TIME ...]
 
-The pictures of README.md are frames of two scenes at these times:
+The pictures of README.md are frames of three scenes at these times:
 
     nuts_and_brackets 0 0.2 2
-    brick_wall 0.12 0.17 0.4
     wrecking_ball 0.3 0.76 1
     mobile 0 0.3 20
 
