@@ -42,6 +42,8 @@ pub struct Contact {
     pub noise: f64,
     /// What the bodies' surfaces move by themselves (conveyors), A against B, along normal and tangents [m/s].
     pub surface: DVec3,
+    /// What turning adds to the tangential velocity until it counts, see [`Contact::turning_ahead`] [m/s].
+    pub ahead: DVec3,
     /// Instant within the step at which position and normal hold [s].
     pub instant: f64,
     /// Arms from the centres of mass [m].
@@ -115,6 +117,7 @@ impl Contact {
             gap: -point.depth,
             noise: 0.0,
             surface,
+            ahead: DVec3::ZERO,
             instant: 0.0,
             arms,
             k_normal: k_n.dot(point.normal),
@@ -158,7 +161,27 @@ impl Contact {
 
     /// The same while impulses are still being found.
     pub(crate) fn velocity_among(&self, moving: &[impl Moving]) -> DVec3 {
-        velocity_of(moving, self) + self.surface
+        velocity_of(moving, self) + self.surface + self.ahead
+    }
+
+    /// What the tangential velocity gains in a time `t` because the place of contact moves on over turning bodies.
+    ///
+    /// With the arms of now and the velocities of then, the relative velocity misses how the arms changed: the place x
+    /// moves at w, so d(v + omega x r)/dt has the part omega x (w - v) on each body, and
+    /// u gains t [omega_A x (w - v_A) - omega_B x (w - v_B)]. A ball takes the place along with its centre, a corner with
+    /// itself. Without this a body that sticks to a turntable creeps outwards by r omega^2 dt / 2 in unit time.
+    #[must_use]
+    pub fn turning_ahead(&self, bodies: &[Body], centres: [Option<DVec3>; 2], t: f64) -> DVec3 {
+        let (a, b) = (&bodies[self.bodies.0], &bodies[self.bodies.1]);
+        let w = match centres {
+            [Some(arm), None] => a.velocity_at(arm),
+            [None, Some(arm)] => b.velocity_at(arm),
+            [None, None] => 0.5 * (a.velocity_at(self.arms.0) + b.velocity_at(self.arms.1)),
+            [Some(_), Some(_)] => return DVec3::ZERO,
+        };
+        let turning = |body: &Body| body.angular_velocity.cross(w - body.state.velocity);
+        let gained = self.to_local(turning(a) - turning(b)) * t;
+        DVec3::new(0.0, gained.y, gained.z)
     }
 
     /// Relative angular velocity omega_A - omega_B now, in world axes [rad/s].

@@ -272,6 +272,11 @@ impl Shape {
         !matches!(self, Shape::Mesh(_))
     }
 
+    /// A ball: it touches with another point whichever way it turns.
+    pub fn is_round(&self) -> bool {
+        matches!(self, Shape::Sphere { .. })
+    }
+
     /// A point inside the shape, in the geom's frame.
     pub fn center(&self) -> DVec3 {
         match self {

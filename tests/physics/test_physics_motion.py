@@ -91,8 +91,8 @@ def test_apparent_weight_in_a_lift(scheme, kind):
 
 @pytest.mark.parametrize("scheme", SOME)
 def test_a_block_slides_off_a_turntable_that_speeds_up(scheme):
-    """omega = t / 4: it slides, faster than `slip_speed`, where r sqrt(alpha^2 + omega^4) > mu g; r is its
-    own.
+    """omega = t / 4: it slides where r sqrt(alpha^2 + omega^4) > mu g; r is its own. The need then
+    grows at the rate j = 2 r omega alpha and the slip as j t^2 / 2: a slip s is seen at sqrt(2 s j) above.
     """
     mu, alpha = 0.4, 0.25
     speed_up = {"type": "expression", "value": f'"{alpha} * t"'}
@@ -102,10 +102,28 @@ def test_a_block_slides_off_a_turntable_that_speeds_up(scheme):
         world.run(0.02)
         place, omega = world.get("position", "block"), world.get("angular_velocity", "table")
         slip = np.linalg.norm((world.get("velocity", "block") - np.cross(omega, place))[:2])
-        if slip > 0.01:
+        if slip > 4e-3:
             break
     needed = np.linalg.norm(place[:2]) * np.hypot(alpha, omega[2] ** 2)
-    assert needed == pytest.approx(mu * G, rel=0.02)
+    growth = 2 * np.linalg.norm(place[:2]) * omega[2] * alpha
+    # Verlet and RK4 0.1 %; semi-implicit Euler's velocity lags by half a step, which looks like slip: 1.5 %.
+    assert needed == pytest.approx(mu * G + np.sqrt(2 * 4e-3 * growth), rel=0.02)
+
+
+@pytest.mark.parametrize("scheme", ["semi_implicit_euler", "velocity_verlet", "rk4"])
+def test_a_block_that_sticks_to_a_turntable_goes_round_with_it(scheme):
+    """omega^2 r = 0.9 mu g for 5 s: it does not creep outwards. Measured at 1 ms: 5e-7 m, 2e-5 rad of
+    10.5 ahead; at 2 ms 2.7e-6 m.
+    """
+    omega, r = 2.1, 0.8
+    disc = flat(motion={"angular_velocity": (0, 0, omega)})
+    start = block(position=(r, 0, 0.05), velocity=(0, omega * r, 0), angular_velocity=(0, 0, omega))
+    world = bench(disc + start, {}, scheme=scheme, mu=0.4, timestep=1e-3).run(5.0)
+    place = world.get("position", "block")
+    assert np.hypot(place[0], place[1]) == pytest.approx(r, abs=2e-6)
+    assert np.arctan2(place[1], place[0]) == pytest.approx(
+        (omega * 5.0 + np.pi) % (2 * np.pi) - np.pi, abs=4e-5
+    )
 
 
 def test_a_block_flies_off_a_turntable_that_is_too_fast():

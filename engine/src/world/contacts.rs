@@ -105,6 +105,8 @@ impl World {
     fn aim_contacts(&mut self, h: f64) {
         let baumgarte = self.settings.stabilization == Stabilization::Baumgarte;
         let lead = self.settings.integrator.lead();
+        // Semi-implicit Euler moves bodies with the end velocity over the whole step: half a step ahead is its mean.
+        let ahead = if lead == 1.0 { 0.5 * h } else { h };
         self.gaps.clear();
         self.starts.clear();
         for c in &mut self.contacts {
@@ -118,6 +120,13 @@ impl World {
             } else {
                 0.0
             };
+            let centre = |k: u32| {
+                let geom = &self.geoms[k as usize];
+                let arm = self.bodies[geom.body].rotation * geom.position;
+                geom.shape.is_round().then_some(arm)
+            };
+            let centres = [centre(c.geoms.0), centre(c.geoms.1)];
+            c.ahead = c.turning_ahead(&self.bodies, centres, ahead);
             c.clear_impulse();
             self.starts.push(u);
             self.gaps.push(gap);
@@ -138,7 +147,8 @@ impl World {
         {
             let u = self.solver.velocity(c);
             c.velocity_after = c.to_world(u);
-            let mean = 0.5 * (*start + u);
+            // Impulses act with the arms of now, so their work is that of the velocities with these arms.
+            let mean = 0.5 * (*start + u - c.ahead);
             self.ledger
                 .book(0.0, c.impulse.y * mean.y + c.impulse.z * mean.z);
             // A contact that aims at parting is Baumgarte's: its work takes back an overlap.
