@@ -24,12 +24,24 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+FIT = """
+physsim_fit: 1
+scene: my_scene.yaml
+set: {simulation.duration: 0.4 s}
+parameters: {parameters.drop: {start: 40 cm, min: 10 cm, max: 1 m}}
+data: [{file: measured.h5, quantities: {bodies.ball.position.z: {sigma: 1 mm}}}]
+"""
+
+
 @pytest.mark.parametrize("verb", VERBS)
 def test_examples_of_the_manual_page(folder: Path, verb: str) -> None:
     if verb != "new":
         assert answer(["new", "my_scene"]) == 0
     if verb in {"info", "diff", "plot", "export"}:
         assert answer(["run", "my_scene.yaml", "--quiet"]) == 0
+    if verb == "fit":
+        assert answer(["run", "my_scene.yaml", "--quiet", "--duration", "0.4 s", "-o", "measured.h5"]) == 0
+        (folder / "my_fit.yaml").write_text(FIT)
     environment = clean_environment()
     environment["PATH"] = f"{folder / 'bin'}:{environment['PATH']}"
     for example in group.get_command(None, verb).examples:
