@@ -17,7 +17,7 @@ from reference.where import WHERE
 from physsim.analysis.verify import FORMULAS, Verdict, scene_file
 from physsim.analysis.verify.catalogue import SECTIONS
 from physsim.analysis.verify.plot import draw_formula
-from physsim.cli.verify import Tried, run_all
+from physsim.cli.verify_run import Tried, run_all
 
 HERE = Path(__file__).resolve().parent
 REPOSITORY = HERE.parent

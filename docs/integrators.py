@@ -21,7 +21,7 @@ from physsim.analysis.verify import Verdict, pick
 from physsim.analysis.verify.orders import ORDERS
 from physsim.analysis.verify.plot import MARKERS
 from physsim.analysis.verify.sections.integration import relative_energy
-from physsim.cli.verify import run, try_out
+from physsim.cli.verify_run import run, try_out
 from physsim.errors import RunFailed
 
 HERE = Path(__file__).resolve().parent

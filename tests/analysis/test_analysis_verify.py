@@ -14,9 +14,9 @@ import pytest
 
 from physsim.analysis.verify import FORMULAS, Case, Check, Verdict, pick, scene_file
 from physsim.analysis.verify.judge import order_of
-from physsim.cli import ahead
+from physsim.cli import verify_ahead as ahead
 from physsim.cli.app import answer
-from physsim.cli.verify import file_name, runs_of, try_out
+from physsim.cli.verify_run import file_name, runs_of, try_out
 from physsim.scene import load_scene
 
 REPOSITORY = Path(__file__).resolve().parents[2]

@@ -42,7 +42,7 @@ def run_ahead(jobs: Sequence[Job], advance: Callable[[], object]) -> None:
 
 def try_run(job: Job) -> None:
     """One job in a process of its own."""
-    from physsim.cli.verify import run
+    from physsim.cli.verify_run import run
 
     with suppress(PhyssimError):
         run(*job).close()
