@@ -90,7 +90,7 @@ def _nothing_to_do(spec: SweepSpec) -> Iterator[Problem]:
 
 def _metrics(spec: SweepSpec, scene: Scene) -> Iterator[Problem]:
     draft = draft_of(scene.spec, None)
-    names = [path.removeprefix(PARAMETERS) for _, path in places_of(spec) if path.startswith(PARAMETERS)]
+    names = list(scene.spec.parameters)
     for name, metric in spec.metrics.items():
         yield from _metric(metric, ("metrics", name), draft, names)
         names.append(name)

@@ -78,15 +78,17 @@ def _log_normal(of: LogNormal, u: Floats) -> Floats:
 
 
 def standard_normal(u: Floats, low: float, high: float) -> Floats:
-    """Inverse of the standard normal cut off at low and high: z = P⁻¹(P(low) + u (P(high) - P(low))).
+    """Inverse of the standard normal cut off at low and high: z = P⁻¹((1 - u) P(low) + u P(high)).
 
-    In the upper tail, where P is 1 to the last bit, the mirror image is taken.
+    In logarithms, because P is 0 to the last bit from -38 on; in the upper tail, where it is 1 to the last
+    bit, the mirror image is taken.
     """
-    from scipy.special import ndtr, ndtri  # noqa: PLC0415, slow to import
+    from scipy.special import log_ndtr, ndtri_exp  # noqa: PLC0415, slow to import
 
     if low > 0:
         return -standard_normal(1 - u, -high, -low)
-    return np.asarray(ndtri(ndtr(low) + u * (ndtr(high) - ndtr(low))), np.float64)
+    share = np.logaddexp(np.log1p(-u) + log_ndtr(low), np.log(u) + log_ndtr(high))
+    return np.asarray(ndtri_exp(share), np.float64)
 
 
 def _inside(values: Floats, of: Normal | LogNormal) -> Floats:

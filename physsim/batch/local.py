@@ -71,6 +71,8 @@ class _Hand(threading.Thread):
             trouble = trouble or self._make_ready()
             self._answers.put(Answer(block, trouble=trouble) if trouble else self._worked(block))
         self.stop()
+        if self._process is not None:
+            self._last_words()
 
     def stop(self) -> None:
         """Kills the worker, if there is one; none is started afterwards."""

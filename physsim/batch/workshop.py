@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 MOST_PROBLEMS_TOLD = 3
 COMPLETE, FAILED, INVALID, CRASHED = "complete", "failed", "invalid", "crashed"
-PARAMETERS = "parameters."
 
 
 @dataclass(frozen=True)
@@ -108,12 +107,7 @@ class Workshop:
         return replace(found, file=task.file)
 
     def _measured(self, task: Run, scene: Scene, trajectory: Trajectory) -> Result:
-        parameters = {
-            path.removeprefix(PARAMETERS): scene.spec.parameters[path.removeprefix(PARAMETERS)]
-            for path, _ in task.changes
-            if path.startswith(PARAMETERS)
-        }
-        metrics = metrics_of(trajectory, self._job.metrics, parameters, _moving(scene))
+        metrics = metrics_of(trajectory, self._job.metrics, scene.spec.parameters, _moving(scene))
         checked = check_expectations(trajectory, scene.spec.expect)
         return Result(task.key, COMPLETE, "", metrics, sum(not entry.held for entry in checked))
 

@@ -114,11 +114,11 @@ class EnergyLostMetric(Spec):
 
 
 class ValueMetric(Spec):
-    """Arithmetic of other metrics and of the varied values, in SI, by their names."""
+    """Arithmetic of other metrics and of the scene's parameters, in SI, by their names."""
 
     type: Literal["expression"]
     value: Annotated[str, Text(500)] = Field(
-        description="An expression as in ${...}; names are metrics above this one and parameters that vary.",
+        description="An expression as in ${...}; names are metrics above it and parameters of the scene.",
         examples=["bounce / drop", "sqrt(landing_x^2 + landing_y^2)"],
     )
 
