@@ -36,7 +36,8 @@ DEVICES = {"con", "prn", "aux", "nul"} | {f"{port}{k}" for port in ("com", "lpt"
 def command(name: str, force: bool) -> None:
     """Write a commented starter scene NAME.yaml into the current directory.
 
-    It runs as it stands: a ball bounces on a concrete floor and a wooden crate slides and tumbles to rest.
+    It runs as it stands: a ball bounces on a concrete floor, a wooden crate slides and tumbles to rest, and a
+    hinged sign sways in the wind.
     An existing file is left alone unless --force is given.
     """
     target = Path(checked_name(name) + ".yaml")
