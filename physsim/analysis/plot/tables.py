@@ -27,7 +27,7 @@ def read_table(path: Path) -> pandas.DataFrame:
     except ImportError:
         raise FileTrouble(f"{path}: tables need pandas: pip install 'physsim[analysis]'") from None
     try:
-        return pandas.read_parquet(path) if path.suffix == ".parquet" else pandas.read_csv(path, comment="#")
+        return pandas.read_parquet(path) if path.suffix == ".parquet" else pandas.read_csv(path)
     except FileNotFoundError:
         raise FileTrouble(f"{path}: there is no such file") from None
     except ImportError:
