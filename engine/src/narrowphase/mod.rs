@@ -16,6 +16,7 @@ mod polish;
 mod polytope;
 mod reduce;
 mod sat;
+mod seams;
 mod sphere;
 mod triangle_mesh;
 
@@ -123,7 +124,9 @@ pub fn collide(
         pose: *pose_b,
     };
     in_order(a, b, out, |a, b, out| {
-        kernel(a, b, scratch, &mut Sink { margin, out })
+        let start = out.len();
+        kernel(a, b, scratch, &mut Sink { margin, out });
+        seams::drop_passing(a, b, out, start);
     });
     Verdict::Answered
 }
@@ -163,7 +166,11 @@ pub fn manifold(
         let sink = &mut Sink { margin, out };
         match b.shape {
             Shape::HalfSpace | Shape::Mesh(_) => kernel(a, b, scratch, sink),
-            _ => refined(a, b, normal, witness, scratch, sink),
+            _ => {
+                let start = sink.out.len();
+                refined(a, b, normal, witness, scratch, sink);
+                seams::drop_passing(a, b, sink.out, start);
+            }
         }
     });
 }
