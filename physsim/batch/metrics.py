@@ -154,8 +154,9 @@ def _between(table: Table, metric: FirstContactMetric | ImpactsMetric | HardestI
 
 
 def _fits(names: Any, pattern: str) -> Any:
-    fitting = [name for name in set(names.tolist()) if matches(pattern, name)]
-    return np.isin(names, fitting)
+    listed = names.tolist()
+    fitting = {name: matches(pattern, name) for name in set(listed)}
+    return np.fromiter((fitting[name] for name in listed), bool, len(listed))
 
 
 def _rest_time(trajectory: Trajectory, metric: RestTimeMetric, moving: Sequence[str]) -> float:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -155,8 +153,9 @@ class Loop:
         goal = self._schedule.next_frame(self.step)
         while self.step < goal and stop.signal is None:
             count = min(self._pace.steps, goal - self.step)
-            with self._pace.timed(count):
-                self._world.advance(count, self._answer)
+            began = time.perf_counter()
+            self._world.advance(count, self._answer)
+            self._pace.took(count, time.perf_counter() - began)
             self.step += count
             self._report(lambda: self._progress("running"))
             if self.step == goal:
@@ -198,9 +197,6 @@ class _Pace:
     def __init__(self) -> None:
         self.steps = 1
 
-    @contextmanager
-    def timed(self, count: int) -> Iterator[None]:
-        began = time.perf_counter()
-        yield
-        seconds = max(time.perf_counter() - began, 1e-9)
-        self.steps = max(1, min(int(count * SECONDS_PER_CALL / seconds), 2 * count + 1))
+    def took(self, count: int, seconds: float) -> None:
+        """What the last call took."""
+        self.steps = max(1, min(int(count * SECONDS_PER_CALL / max(seconds, 1e-9)), 2 * count + 1))

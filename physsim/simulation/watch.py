@@ -26,6 +26,14 @@ if TYPE_CHECKING:
 
 BODY_FIELDS = ("position", "orientation", "velocity", "angular_velocity")
 _MOTION = ("velocity", "angular_velocity")
+# What the engine is asked for -> groups of quantities that it answers.
+_ASKED = {
+    "energies": ("energy",),
+    "solver": ("solver", "contacts"),
+    "joints": ("joints",),
+    "springs": ("springs",),
+}
+_GROUP_OF = {"energies": "energy"}
 _NEEDS = {
     "position": ("position", "orientation"),
     "speed": ("velocity",),
@@ -110,28 +118,30 @@ class Watch:
         self._measure = Measure(model)
         self._groups = wanted.groups
         self._fields = wanted.body_fields
-        self._rows = [row for row, name in enumerate(model.body_names) if name in wanted.body_names]
+        rows = [row for row, name in enumerate(model.body_names) if name in wanted.body_names]
+        self._rows = np.array(rows, np.intp)
+        self._asked = [group for group in _ASKED if self._groups & set(_ASKED[group])]
+        self._forces = any(some.field == "contact_force" for some in wanted.quantities)
 
     def frame(self, world: Any) -> Rows:
-        """Rows by dataset path; of bodies only those that are watched, at their centres of mass."""
-        rows: Rows = {}
-        if self._rows or "momentum" in self._groups:
+        """Rows by dataset path, and what the engine hands out as a whole under the name that it has there. Of
+        bodies only those that are watched, at their centres of mass.
+        """
+        rows: Rows = {group: getattr(world, group)() for group in self._asked}
+        if self._fields or "momentum" in self._groups:
             state = world.state()
-            if self._rows:
-                rows |= {name: state[name][self._rows] for name in self._fields}
+            for name in self._fields:
+                rows[name] = state[name][self._rows]
             if "momentum" in self._groups:
                 rows |= self._measure.momentum(state)
-        if "energy" in self._groups:
-            rows |= {f"energy/{name}": value for name, value in world.energies().items()}
-        if self._groups & {"contacts", "solver"}:
-            rows |= {f"solver/{name}": value for name, value in world.solver().items()}
-        for group in self._groups & {"joints", "springs"}:
-            rows |= {f"{group}/{name}": row for name, row in getattr(world, group)().items()}
         return rows
 
     def contacts(self, world: Any) -> Rows:
-        """The contact points of the last step."""
-        return self._measure.contacts(world)
+        """The contact points of the last step: who touches whom, and the rest when forces are wanted."""
+        if self._forces:
+            return self._measure.contacts(world)
+        found = world.contacts()
+        return {"contacts/body_a": found["body_a"], "contacts/body_b": found["body_b"]}
 
     @staticmethod
     def events(world: Any) -> Rows:
@@ -177,7 +187,19 @@ def _watched(model: Model, memory: Memory, wanted: Wanted, ending: Ending, impac
         status_detail=ending.detail,
         names=tuple(name for name in model.body_names if name in wanted.body_names),
         model=model,
-        columns={path: np.array([frame[path] for frame in memory.rows]) for path in memory.rows[0]},
+        columns=_columns(memory.rows),
         touching=memory.contacts,
         impacts=impacts,
     )
+
+
+def _columns(rows: list[Rows]) -> Rows:
+    """Rows frame by frame -> columns over time by dataset path."""
+    columns: Rows = {}
+    for path, first in rows[0].items():
+        if isinstance(first, dict):
+            group = _GROUP_OF.get(path, path)
+            columns |= {f"{group}/{name}": np.array([row[path][name] for row in rows]) for name in first}
+        else:
+            columns[path] = np.array([row[path] for row in rows])
+    return columns
