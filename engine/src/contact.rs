@@ -50,6 +50,8 @@ pub struct Contact {
     pub arms: (DVec3, DVec3),
     /// K of the normal [1/kg].
     pub k_normal: f64,
+    /// By how much the contact gives way to its normal impulse [1/kg]; 0 but for one that joints hold rigid.
+    pub give: f64,
     /// What a normal impulse does to the two tangential velocities [1/kg].
     pub k_coupling: (f64, f64),
     /// K of the tangents [1/kg].
@@ -121,6 +123,7 @@ impl Contact {
             instant: 0.0,
             arms,
             k_normal: k_n.dot(point.normal),
+            give: 0.0,
             k_coupling: (k_n.dot(tangent_1), k_n.dot(tangent_2)),
             k_tangent,
             coefficients,

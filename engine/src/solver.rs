@@ -373,7 +373,8 @@ impl System<'_> {
 fn solve_contact(movers: &mut [Mover], c: &mut Contact, part: Part) {
     let u = c.velocity_among(movers);
     let old = c.impulse;
-    let normal = (old.x - (u.x - c.target) / c.k_normal).max(0.0);
+    let missing = c.target - u.x - c.give * old.x;
+    let normal = (old.x + missing / (c.k_normal + c.give)).max(0.0);
     let change = normal - old.x;
     // Velocity of the tangents with the new normal impulse and without friction.
     let b1 = u.y + c.k_coupling.0 * change - c.k_tangent.0 * old.y;

@@ -168,7 +168,8 @@ impl Subspace {
         for &k in &system.island.contacts {
             let c = &system.contacts[k];
             let freedom = Freedom::of(c, part);
-            let missing = DVec3::X * c.target - c.velocity_among(system.movers);
+            let wanted = DVec3::X * (c.target - c.give * c.impulse.x);
+            let missing = wanted - c.velocity_among(system.movers);
             first.push(missing * freedom.asked * freedom.scale);
             self.freedom.push(freedom);
         }
@@ -267,7 +268,9 @@ impl Subspace {
         out.clear();
         let mut unknowns = self.freedom.iter().zip(&self.basis[from]);
         for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(&mut unknowns) {
-            let change = velocity_of(&self.responses, &system.contacts[k]);
+            let c = &system.contacts[k];
+            let given = DVec3::X * (c.give * unknown.x * freedom.scale.x);
+            let change = velocity_of(&self.responses, c) + given;
             out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
         }
         for (&slot, (freedom, &unknown)) in self.rolls.iter().zip(unknowns) {

@@ -17,9 +17,10 @@ mod ldl;
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
+use crate::contact::Contact;
 use crate::force::Wrench;
 use crate::joint::{Ahead, Cause, DriveRow, End, Joints, Kind, Row};
-use crate::mover::{Moving, Twist};
+use crate::mover::{velocity_of, Mover, Moving, Twist};
 use assembly::{Assembly, Member};
 
 /// Share of the diagonal that is added to it. Greater, and refinement converges slowly for heavy ends (1 : 1000 at 100
@@ -120,6 +121,7 @@ pub struct Articulation {
     /// Of the drives in the last step: where the next search begins.
     kept: Vec<Hold>,
     responses: Vec<Twist>,
+    trial: Vec<Twist>,
 }
 
 impl Articulation {
@@ -408,6 +410,23 @@ impl Articulation {
     /// All rows free or idle as bilateral rows are, no impulses yet, drives out of it.
     pub fn clear_impulses(&mut self) {
         self.aim(|_| 0.0, |_| Aim::IDLE);
+    }
+
+    /// What is left of K of a contact's normal [1/kg] when the free rows of an assembly hold still.
+    pub(crate) fn mobility(&mut self, assembly: usize, c: &Contact, bodies: &[Body]) -> f64 {
+        let mut motions = std::mem::take(&mut self.trial);
+        motions.clear();
+        motions.resize(bodies.len(), Twist::default());
+        for (k, impulse, arm) in [
+            (c.bodies.0, c.normal, c.arms.0),
+            (c.bodies.1, -c.normal, c.arms.1),
+        ] {
+            motions[k] = Mover::of(&bodies[k]).response(impulse, arm);
+        }
+        self.respond(assembly, &mut motions);
+        let left = velocity_of(&motions, c).x;
+        self.trial = motions;
+        left
     }
 
     fn solved(&self, assembly: usize, slot: usize) -> (usize, f64) {
