@@ -19,6 +19,8 @@ import numpy as np
 import physsim
 
 SCENE = Path(__file__).parents[1] / "scenes" / "bouncing_balls.yaml"
+LOWEST_TOP = 0.02
+"""Bounces lower than this [m] are not measured: there are too few frames in them."""
 
 # %% Run the scene. Impacts are located to the instant of touching, so that times of flight are exact.
 
@@ -47,7 +49,8 @@ def by_heights(trajectory: physsim.Trajectory, name: str) -> np.ndarray:
     touching = z[np.searchsorted(trajectory.time, times) - 1].min() if len(times) else np.nan
     spans = np.searchsorted(trajectory.time, [0.0, *times])
     tops = [z[a:b].max() - touching for a, b in itertools.pairwise(spans) if b > a]
-    return np.sqrt(np.array(tops[1:]) / np.array(tops[:-1]))
+    seen = np.array([top for top in tops if top > LOWEST_TOP])
+    return np.sqrt(seen[1:] / seen[:-1])
 
 
 def by_times(ball: physsim.recording.BodyTrack) -> np.ndarray:

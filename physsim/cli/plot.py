@@ -73,11 +73,12 @@ def command(
     picture = None if target is None else Path(target)
     check_target(picture)
     if files[0].suffix in TABLES:
-        from physsim.analysis.plot import draw_table, read_table
+        from physsim.analysis.plot import draw_table, read_table, units_beside
 
         table = read_table(only_one(files))
         with canvas(picture, title) as figure:
-            draw_table(figure, table, [name for word in names for name in word.split(" vs ") if name != "vs"])
+            columns = [name for word in names for name in word.split(" vs ") if name != "vs"]
+            draw_table(figure, table, columns, units_beside(files[0]))
     else:
         from physsim.analysis.plot import draw_trajectories, read_wishes
 

@@ -11,7 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import physsim
-from physsim.analysis.plot import draw_table, draw_trajectories, read_wishes
+from physsim.analysis.plot import draw_table, draw_trajectories, read_table, read_wishes, units_beside
 from physsim.analysis.plot.ledger import stack
 from physsim.analysis.plot.tables import means
 from physsim.cli.app import answer
@@ -177,6 +177,29 @@ def test_a_metric_over_two_parameters_is_a_map() -> None:
     mesh = figure.axes[0].collections[0]
     np.testing.assert_array_equal(np.asarray(mesh.get_array()), [[10.5, 20.5, 30.5], [20.5, 40.5, 60.5]])
     assert [axes.get_ylabel() for axes in figure.axes] == ["speed", "reach"]
+
+
+def test_units_of_a_sweep(tmp_path: Path) -> None:
+    """Real sweep, real table: its manifest says what the columns measure."""
+    (tmp_path / "scene.yaml").write_text(SCENE)
+    result = physsim.sweep(
+        {
+            "physsim_sweep": 1,
+            "scene": str(tmp_path / "scene.yaml"),
+            "set": {"simulation.duration": "20 ms"},
+            "grid": {"bodies.box.velocity[0]": ["1 m/s", "2 m/s"]},
+            "metrics": {"reach": {"type": "final", "quantity": "bodies.box.position.x"}},
+        },
+        output=tmp_path / "sweep",
+        workers=1,
+    )
+    table = next(path for path in result.files if path.suffix == ".csv")
+    figure = Figure()
+    draw_table(figure, read_table(table), ["reach", "bodies.box.velocity[0]"], units_beside(table))
+    (axes,) = figure.axes
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("bodies.box.velocity[0] [m/s]", "reach [m]")
+    picture = tmp_path / "sweep.png"
+    assert answer(["plot", str(table), "reach vs bodies.box.velocity[0]", "-o", str(picture)]) == 0
 
 
 def test_points_that_fill_no_grid_are_points() -> None:

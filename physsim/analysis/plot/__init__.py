@@ -2,6 +2,6 @@
 
 from physsim.analysis.plot.curves import read_wishes
 from physsim.analysis.plot.panels import draw_trajectories
-from physsim.analysis.plot.tables import draw_table, read_table
+from physsim.analysis.plot.tables import draw_table, read_table, units_beside
 
-__all__ = ["draw_table", "draw_trajectories", "read_table", "read_wishes"]
+__all__ = ["draw_table", "draw_trajectories", "read_table", "read_wishes", "units_beside"]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import json
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from physsim.analysis.plot.curves import pretty
 from physsim.errors import FileTrouble
 from physsim.recording import NotInFile
 
@@ -36,7 +38,18 @@ def read_table(path: Path) -> pandas.DataFrame:
         raise FileTrouble(f"{path}: cannot be read as a table: {error}") from None
 
 
-def draw_table(figure: Figure, table: pandas.DataFrame, columns: Sequence[str]) -> None:
+def units_beside(path: Path) -> dict[str, str]:
+    """Units of the columns, from the manifest that a sweep leaves beside its table, if any."""
+    try:
+        told = json.loads(path.with_name("manifest.json").read_text(encoding="utf-8"))
+        return {str(column["name"]): str(column["unit"]) for column in told["columns"]}
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
+        return {}
+
+
+def draw_table(
+    figure: Figure, table: pandas.DataFrame, columns: Sequence[str], units: Mapping[str, str] | None = None
+) -> None:
     """columns: the metric, then one parameter (points, and the mean of equal ones) or two (a map).
 
     Rows in which one of them is no finite number are left out. Raises NotInFile for columns that are not
@@ -50,16 +63,22 @@ def draw_table(figure: Figure, table: pandas.DataFrame, columns: Sequence[str]) 
     good = np.isfinite(np.stack([metric, *parameters])).all(axis=0)
     if not good.any():
         raise NotInFile(f"no row has numbers in all of {', '.join(columns)}")
+    labels = [_label(name, units or {}) for name in columns]
     figure.set_size_inches(*SIZE)
     axes = figure.subplots()
     drawn = [values[good] for values in (metric, *parameters)]
     if len(parameters) == 1:
         _draw_curve(axes, drawn[1], drawn[0])
-        axes.set(xlabel=columns[1], ylabel=columns[0])
+        axes.set(xlabel=labels[1], ylabel=labels[0])
     else:
         colors = _draw_map(axes, *drawn)
-        figure.colorbar(colors, ax=axes, label=columns[0])
-        axes.set(xlabel=columns[1], ylabel=columns[2])
+        figure.colorbar(colors, ax=axes, label=labels[0])
+        axes.set(xlabel=labels[1], ylabel=labels[2])
+
+
+def _label(name: str, units: Mapping[str, str]) -> str:
+    unit = pretty(units.get(name, ""))
+    return f"{name} [{unit}]" if unit not in {"", "1"} else name
 
 
 def means(x: Any, y: Any) -> tuple[Any, Any, Any]:
