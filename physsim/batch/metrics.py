@@ -131,10 +131,12 @@ def _first_contact(trajectory: Trajectory, metric: FirstContactMetric) -> float:
     lies there from the start, makes no impact.
     """
     impacts = trajectory.events["time"][_between(trajectory.events, metric)]
-    contacts = trajectory.contact_rows(0, trajectory.frames, ("frame", "body_a", "body_b"))
+    impact = float(impacts[0]) if len(impacts) else math.nan
+    known = not math.isnan(impact)
+    before = max(1, int(np.searchsorted(trajectory.time, impact))) if known else trajectory.frames
+    contacts = trajectory.contact_rows(0, before, ("frame", "body_a", "body_b"))
     frames = contacts["frame"][_between(contacts, metric)]
-    moments = [*impacts[:1].tolist(), *trajectory.time[frames[:1]].tolist()]
-    return min(moments, default=math.nan)
+    return float(trajectory.time[frames[0]]) if len(frames) else impact
 
 
 def _impacts(trajectory: Trajectory, metric: ImpactsMetric) -> int:
