@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler, model_validator
+from pydantic_core import core_schema
 
 from physsim.batch.spec.values import Given, Written, common
 from physsim.scene.spec.base import Spec
@@ -59,13 +60,26 @@ class LogRangeAxis(RangeAxis):
         return self
 
 
-def _listed(value: object) -> object:
-    return {"type": "list", "values": value} if isinstance(value, list) else value
+class _OrList:
+    """A list stands for `{type: list, values: [...]}`."""
+
+    def __get_pydantic_core_schema__(
+        self, source: Any, handler: GetCoreSchemaHandler
+    ) -> core_schema.CoreSchema:
+        return core_schema.no_info_before_validator_function(self.read, handler(source))
+
+    def __get_pydantic_json_schema__(
+        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        return {"anyOf": [{"type": "array", "minItems": 1}, handler(core)]}
+
+    @staticmethod
+    def read(value: object) -> object:
+        """The list in a mapping; anything else as it is."""
+        return {"type": "list", "values": value} if isinstance(value, list) else value
 
 
-AxisSpec = Annotated[
-    Annotated[ListAxis | RangeAxis | LogRangeAxis, Field(discriminator="type")], BeforeValidator(_listed)
-]
+AxisSpec = Annotated[Annotated[ListAxis | RangeAxis | LogRangeAxis, Field(discriminator="type")], _OrList()]
 
 
 class Uniform(_Measured):
