@@ -139,18 +139,26 @@ impl Approach {
                 break;
             }
         }
-        self.replace(hits, out);
+        self.replace(start, jobs, hits, out);
         Ok(())
     }
 
-    /// Contacts of pairs that were pursued to touching stand for those found at the start of the step.
-    fn replace(&mut self, hits: usize, out: &mut Vec<Contact>) {
+    /// Contacts of pairs that were pursued to touching stand for those found at the start of the step. A pair that turned
+    /// out to pass keeps those that it rests on, without the ones that seemed about to be hit.
+    fn replace(&self, start: &StepStart, jobs: &[Job], hits: usize, out: &mut Vec<Contact>) {
+        let pairs_of = |state: Chase| {
+            let some = self.pursuits.iter().filter(move |p| p.state == state);
+            some.map(|p| jobs[p.job as usize].geoms).collect::<Vec<_>>()
+        };
+        let missed = pairs_of(Chase::Missed);
         let mut pursued: Vec<(u32, u32)> = out[hits..].iter().map(|c| c.geoms).collect();
         pursued.dedup();
         let mut index = 0;
         out.retain(|c| {
             index += 1;
-            index > hits || pursued.binary_search(&c.geoms).is_err()
+            let passes = missed.binary_search(&c.geoms).is_ok()
+                && touching_instant(c, start.bodies, start.accelerations, &start.rules).is_finite();
+            index > hits || !(passes || pursued.binary_search(&c.geoms).is_ok())
         });
         out.sort_by_key(|c| c.geoms);
     }
