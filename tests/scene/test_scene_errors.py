@@ -407,7 +407,7 @@ CASES = {
         more("expect:\n  - {quantity: »bodies.ball.positon.z, max: 1}"),
         "expect[0].quantity: names no quantity of a body, got bodies.ball.positon.z "
         "(allowed: bodies.NAME.(position | orientation | velocity | angular_velocity | speed "
-        "| angular_speed))",
+        "| angular_speed | kinetic_energy | momentum | angular_momentum | contact_force))",
     ),
     "quantity that is a vector": (
         more("expect:\n  - {quantity: »bodies.ball.velocity, max: 1}"),
