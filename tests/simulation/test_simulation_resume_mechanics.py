@@ -92,7 +92,7 @@ physsim.run(sys.argv[1], output=sys.argv[2], duration=sys.argv[3], resume=True)
 
 
 @pytest.mark.parametrize(
-    ("scene", "duration"), [(CONTACTS, "3 s"), (MACHINE, "2 s")], ids=["contacts", "machine"]
+    ("scene", "duration"), [(CONTACTS, "12 s"), (MACHINE, "8 s")], ids=["contacts", "machine"]
 )
 def test_killed_again_and_again(tmp_path: Path, scene: Path, duration: str) -> None:
     """kill -9 at random moments, whatever it is doing: loading, stepping, writing, saving."""
@@ -102,7 +102,7 @@ def test_killed_again_and_again(tmp_path: Path, scene: Path, duration: str) -> N
         with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
             assert process.stdout is not None
             process.stdout.readline()
-            time.sleep(0.3 + moments.random() * 0.8)
+            time.sleep(0.2 + moments.random() * 0.8)
             process.kill()
     with physsim.run(scene, output=output, duration=duration, resume=True) as trajectory:
         assert trajectory.status == "complete"
