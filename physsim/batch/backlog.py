@@ -14,6 +14,8 @@ from physsim.batch.design import Run
 from physsim.batch.workshop import CRASHED, Result
 
 SECONDS_PER_BLOCK = 0.5
+# A block costs whoever hands it out 1 to 2 ms (measured with Dask): many workers get longer ones.
+SECONDS_PER_SLOT = 0.0025
 LONGEST_BLOCK = 1000
 GROWTH = 4
 # A run that was alone in its worker this often when the worker died is held to be the cause.
@@ -29,6 +31,7 @@ class Backlog:
         self._runs = runs
         self._left = count
         self._slots = max(1, slots)
+        self._seconds = max(SECONDS_PER_BLOCK, SECONDS_PER_SLOT * slots)
         self._suspects: deque[Run] = deque()
         self._deaths: Counter[int] = Counter()
         self._in_hand = 0
@@ -60,7 +63,7 @@ class Backlog:
         self._seconds_per_run = (
             mean if not self._seconds_per_run else 0.7 * self._seconds_per_run + 0.3 * mean
         )
-        wanted = int(SECONDS_PER_BLOCK / max(self._seconds_per_run, 1e-6))
+        wanted = int(self._seconds / max(self._seconds_per_run, 1e-6))
         self._size = max(1, min(wanted, GROWTH * self._size, LONGEST_BLOCK))
 
     def lost(self, block: Block, reason: str) -> list[Result]:

@@ -16,6 +16,7 @@ from typing import IO, Any
 
 from physsim.batch.workshop import Workshop
 from physsim.errors import PhyssimError
+from physsim.simulation import Interrupted
 
 READY = "ready"
 
@@ -35,6 +36,8 @@ def main() -> None:
     while True:
         try:
             _send(answers, [workshop.do(task) for task in blocks.get()])
+        except Interrupted:
+            return  # told to stop by somebody else: the block is given to another worker
         except PhyssimError as error:
             _send(answers, error)
 
