@@ -14,6 +14,7 @@ import pytest
 from scipy.spatial.transform import Rotation, Slerp
 
 import physsim
+from physsim.errors import SceneError
 from physsim.recording import NotInFile, Trajectory, contact_choice, open_trajectory
 from physsim.recording.orientation import between, rotated
 
@@ -219,3 +220,22 @@ def test_xarray_of_some_bodies_and_frames(made_up: Trajectory) -> None:
         wanted = wanted.isel(body=[1, 2]) if "body" in wanted.dims else wanted
         wanted = wanted.isel(time=slice(10, 20, 3)) if "time" in wanted.dims else wanted
         assert wanted.equals(part[name]), name
+
+
+def test_expectations_know_what_follows(tmp_path: Path) -> None:
+    """The floor carries 2 kg; contacts that are not recorded cannot be expected."""
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(
+        "physsim: 1\nsimulation: {duration: 100 ms, timestep: 1 ms}\nrecord: {contacts: true}\nbodies:\n"
+        "  floor: {fixed: true, shape: {type: halfspace}, material: concrete}\n"
+        "  box: {shape: {type: box, size: [1, 1, 1]}, mass: 2, material: wood, position: [0, 0, 0.5]}\n"
+        "expect:\n"
+        "  - {quantity: bodies.box.contact_force.z, value: 19.62 N, within: 1e-6}\n"
+        "  - {quantity: bodies.box.kinetic_energy, max: 1e-12 J}\n"
+    )
+    physsim.run(scene, output=tmp_path / "run.h5", check=True).close()
+    with pytest.raises(SceneError) as caught:
+        physsim.run(scene, set={"record.contacts": False}, output=tmp_path / "none.h5")
+    assert [problem.message for problem in caught.value.problems] == [
+        "is not recorded: record.contacts is false"
+    ]
