@@ -12,6 +12,7 @@ from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
 from physsim.scene.spec.expect import QuantityText
 from physsim.scene.spec.reading import reading_of
+from physsim.scene.spec.schema_generator import SchemaGenerator
 from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Number, Text, Whole
 from physsim.scene.units import Dimension, Unit, UnitError, fits, parse_unit, same
@@ -202,3 +203,10 @@ class FitSpec(Spec):
             if free.min is None or free.max is None:
                 raise slip(f"needs min and max, which {path} lacks", at=(key,))
         return self
+
+    @classmethod
+    def model_json_schema(cls, *arguments: Any, **options: Any) -> dict[str, Any]:
+        """The schema of fits (JSON Schema, draft 2020-12); arguments are those of pydantic."""
+        if len(arguments) < 3:
+            options.setdefault("schema_generator", SchemaGenerator)
+        return super().model_json_schema(*arguments, **options)

@@ -10,12 +10,14 @@ import h5py
 import numpy as np
 import pytest
 import yaml
+from jsonschema import Draft202012Validator
 from scipy.optimize import least_squares
 
 import physsim
 from physsim.batch.fit import cost_of, search
 from physsim.batch.fit_load import load_fit
 from physsim.batch.fit_result import Found
+from physsim.batch.fit_schema import schema_text
 from physsim.cli.app import answer
 from physsim.errors import RunFailed, SceneError
 
@@ -393,3 +395,16 @@ def test_a_scene_that_is_wrong_itself_is_told_in_the_scene(tmp_path: Path) -> No
         load_fit(fit)
     assert caught.value.file.endswith("scene.yaml")
     assert caught.value.problems[0].line == 4
+
+
+def test_the_schema_is_fresh_and_takes_a_fit() -> None:
+    """Editors check with it what the command checks: it refuses what has no place in a fit."""
+    path = Path(__file__).parents[2] / "schemas" / "fit.schema.json"
+    assert path.read_text() == schema_text(), (
+        "renew it: python -m physsim.batch.fit_schema > schemas/fit.schema.json"
+    )
+    schema = Draft202012Validator(json.loads(path.read_text()))
+    good = yaml.safe_load(GOOD)
+    assert list(schema.iter_errors(good)) == []
+    for wrong in ({"dota": []}, {"method": "guess"}, {"data": []}, {"starts": 0}, {"parameters": {"a": {}}}):
+        assert list(schema.iter_errors(good | wrong)), wrong
