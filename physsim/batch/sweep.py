@@ -28,7 +28,7 @@ from physsim.model import compile_scene
 from physsim.simulation import Interrupted
 from physsim.simulation.stop import StopRequest
 
-JOURNAL = "journal.jsonl"
+JOURNAL, RUNS = "journal.jsonl", "runs"
 OURS = (JOURNAL, manifests.NAME, "table.csv", "table.parquet", GATHERED)
 SECONDS_BETWEEN_LOOKS = 0.1
 # More blocks than workers are out, so that none waits while its last results are written down.
@@ -234,7 +234,7 @@ def _opened(folder: Path, job: Job, force: bool) -> Journal:
     if folder.exists() and not folder.is_dir():
         raise FileTrouble(f"{folder}: is a file; name a folder")
     before = manifests.read(folder)
-    if before is None and folder.exists() and any(folder.iterdir()) and not force:
+    if before is None and folder.exists() and any(map(_is_foreign, folder.iterdir())):
         raise FileTrouble(f"{folder}: is not empty and holds no sweep; -o names another folder")
     if before is not None and before.get("digest") != job.digest and not force:
         what = ", ".join(manifests.differing(before, job))
@@ -242,21 +242,26 @@ def _opened(folder: Path, job: Job, force: bool) -> Journal:
             f"{folder}: holds another sweep ({what} differ): --force begins anew, -o names another folder"
         )
     try:
-        (folder / "runs").mkdir(parents=True, exist_ok=True)
+        (folder / RUNS).mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FileTrouble(f"{folder}: cannot be made: {error.strerror}") from None
-    if force:
+    if force or before is None:
         Journal(folder / JOURNAL).close()  # raises while another sweep is at work here
         _clear(folder)
     return Journal(folder / JOURNAL)
+
+
+def _is_foreign(path: Path) -> bool:
+    """Whether no sweep has made this; one that was killed in its first moments may have left no manifest."""
+    return path.name.removesuffix(".part") not in (*OURS, RUNS)
 
 
 def _clear(folder: Path) -> None:
     """Takes away what a sweep has written, and nothing else."""
     for name in OURS:
         (folder / name).unlink(missing_ok=True)
-    shutil.rmtree(folder / "runs")
-    (folder / "runs").mkdir()
+    shutil.rmtree(folder / RUNS)
+    (folder / RUNS).mkdir()
 
 
 def _write(path: Path, data: bytes) -> None:

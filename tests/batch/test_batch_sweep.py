@@ -123,7 +123,11 @@ def test_a_folder_of_another_sweep_is_left_alone(write, tmp_path: Path) -> None:
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "thesis.txt").write_text("years of work")
     with pytest.raises(FileTrouble, match="is not empty and holds no sweep"):
-        physsim.sweep(other, output=tmp_path / "mine", workers=1)
+        physsim.sweep(other, output=tmp_path / "mine", workers=1, force=True)
+    assert (tmp_path / "mine" / "thesis.txt").exists()
+    (folder / "manifest.json").unlink()  # as a kill in the first moments leaves it
+    physsim.sweep(write(), output=folder, workers=1)
+    assert (folder / "table.csv").read_bytes()[:60] == before[:60]
 
 
 def test_csv_and_parquet_hold_every_digit(write, tmp_path: Path) -> None:
