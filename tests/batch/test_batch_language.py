@@ -104,8 +104,8 @@ MISTAKES = {
         "4:28: set.simulation.duration: must be a time, not a value in kg, got 2 kg",
     ),
     "too many runs": (
-        HEAD + "replicates: 10000000\ngrid: {parameters.e: [0.1, 0.2]}\n",
-        "1:1: asks for 20000000 runs, the most is 10000000",
+        HEAD + "replicates: 1000000\ngrid: {parameters.e: [0.1, 0.2]}\n",
+        "1:1: asks for 2000000 runs, the most is 1000000",
     ),
     "another version": (
         HEAD.replace("sweep: 1", "sweep: 2"),

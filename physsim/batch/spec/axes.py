@@ -12,7 +12,7 @@ from physsim.scene.spec.base import Spec
 from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Number, Whole
 
-MOST_RUNS = 10_000_000
+MOST_RUNS = 1_000_000
 Count = Annotated[int, Whole(1, MOST_RUNS)]
 
 
