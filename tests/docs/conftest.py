@@ -1,4 +1,4 @@
-"""A folder in which the commands of a page are run as a reader would, with `scenes/` in it."""
+"""A folder in which the commands of a page are run as a reader would, with `scenes/` and `examples/` in it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ exec "{python}" {arguments} "$@"
 @pytest.fixture
 def desk(tmp_path: Path) -> Path:
     """The folder; what one block of a page writes is there for the next."""
-    (tmp_path / "scenes").symlink_to(REPOSITORY / "scenes")
+    for folder in ("scenes", "examples"):
+        (tmp_path / folder).symlink_to(REPOSITORY / folder)
     programs = tmp_path / ".venv" / "bin"
     programs.mkdir(parents=True)
     for name, arguments in (("physsim", "-m physsim"), ("python", ""), ("python3", "")):
