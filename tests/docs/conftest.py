@@ -1,4 +1,4 @@
-"""A folder in which the commands of a page are run as a reader would, with `scenes/` and `examples/` in it."""
+"""A folder in which the commands of a page are run as a reader would, beside `scenes/` and `examples/`."""
 
 from __future__ import annotations
 
