@@ -110,9 +110,9 @@ def _geometry(things: Sequence[Thing]) -> dict[str, object]:
 
 def _nothing_else() -> dict[str, object]:
     """Springs, joints, forces and motions of a scene that has none."""
-    scene = load_scene_text(
-        "physsim: 1\nsimulation: {duration: 1, timestep: 1}\nbodies: {a: {shape: {type: sphere, radius: 1}, mass: 1, collides: false}}\n"
-    )
+    ball = "{shape: {type: sphere, radius: 1}, mass: 1, collides: false}"
+    head = "physsim: 1\nsimulation: {duration: 1, timestep: 1}\n"
+    scene = load_scene_text(f"{head}bodies: {{ball: {ball}}}\n")
     return compile_scene(scene).mechanics.engine_input()
 
 
