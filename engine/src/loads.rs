@@ -6,9 +6,10 @@ use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::force::{Forces, Wrench};
-use crate::integrator::{free_accelerations, Scratch};
+use crate::integrator::{accelerations_at, free_accelerations, Scratch};
 use crate::joint::{Ahead, Joints, Row};
 use crate::mover::Twist;
+use crate::paths::Paths;
 use crate::profile::Moment;
 
 /// Wrenches and accelerations of all bodies.
@@ -142,12 +143,12 @@ impl Loads {
         &mut self,
         bodies: &[Body],
         (forces, joints, articulation): (&Forces, &Joints, &mut Articulation),
-        time: f64,
+        (paths, time): (&Paths, f64),
     ) {
         self.wrenches.clone_from(&self.held);
         forces.evaluate(bodies, Moment::at(time), &mut self.wrenches);
         joints.add_forces(bodies, time, &mut self.wrenches);
-        free_accelerations(bodies, &self.wrenches, &mut self.free);
+        accelerations_at(bodies, &self.wrenches, (paths, time), &mut self.free);
         articulation.load_bilateral(joints, bodies);
         articulation.hold(|row| -row.bias, &mut self.free);
     }

@@ -110,6 +110,20 @@ def test_a_block_slides_off_a_turntable_that_speeds_up(scheme):
     assert needed == pytest.approx(mu * G + np.sqrt(2 * 4e-3 * growth), rel=0.02)
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_a_joint_bears_the_apparent_weight_in_a_lift(scheme):
+    """A load bolted to a lift z = A sin(2 pi f t): the bolt pulls the lift down with m (g + z'')."""
+    amplitude, frequency, mass, time = 0.5, 1.0, 2.0, 0.6
+    shaft = {"translation": (0, 0, amplitude), "profile": {"type": "sine", "frequency": frequency}}
+    lift = body("lift", "type: box, size: [1, 1, 0.1]", fixed=True, collides=False, motion=shaft)
+    load = body("load", "type: sphere, radius: 0.1", mass=mass, collides=False, position=(0, 0, -1))
+    bolt = {"type": "fixed", "between": ["lift", "load"], "anchor": (0, 0, -0.5)}
+    world = bench(lift + load, {"bolt": bolt}, scheme=scheme).run(time)
+    omega = 2 * np.pi * frequency
+    weight = mass * (G - amplitude * omega**2 * np.sin(omega * time))
+    assert world.joint("bolt")["force"] == pytest.approx([0, 0, -weight], abs=1e-9)
+
+
 @pytest.mark.parametrize("scheme", ["semi_implicit_euler", "velocity_verlet", "rk4"])
 def test_a_block_that_sticks_to_a_turntable_goes_round_with_it(scheme):
     """omega^2 r = 0.9 mu g for 5 s: it does not creep outwards. Measured at 1 ms: 5e-7 m, 2e-5 rad of

@@ -95,8 +95,13 @@ impl Dynamics<'_> {
         let pull = if self.baumgarte { self.beta / h } else { 0.0 };
         let asked = |row: &Row| -row.bias - pull * (2.0 * row.rate(bodies) + pull * row.value);
         let accelerations = &mut self.scratch.twists;
-        free_accelerations(bodies, &self.scratch.wrenches, accelerations);
-        self.paths.accelerate(accelerations, self.span.0 + node * h);
+        let time = self.span.0 + node * h;
+        accelerations_at(
+            bodies,
+            &self.scratch.wrenches,
+            (self.paths, time),
+            accelerations,
+        );
         self.articulation.hold(asked, accelerations);
         self.articulation.add_forces(&mut self.scratch.wrenches);
     }
@@ -119,6 +124,17 @@ impl Dynamics<'_> {
             *sum += impulse * factor;
         }
     }
+}
+
+/// Accelerations without joints at a time, of bodies on a prescribed path, too: what the reactions of joints answer to.
+pub fn accelerations_at(
+    bodies: &[Body],
+    wrenches: &[Wrench],
+    (paths, time): (&Paths, f64),
+    out: &mut Vec<Twist>,
+) {
+    free_accelerations(bodies, wrenches, out);
+    paths.accelerate(out, time);
 }
 
 /// Accelerations without joints: a = F / m, alpha = I^-1 (torque - omega x L).

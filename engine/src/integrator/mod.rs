@@ -14,7 +14,7 @@ mod rotation;
 mod runge_kutta;
 mod symplectic;
 
-pub use dynamics::{free_accelerations, Dynamics, Scratch};
+pub use dynamics::{accelerations_at, free_accelerations, Dynamics, Scratch};
 
 use crate::body::Body;
 

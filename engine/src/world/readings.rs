@@ -160,7 +160,8 @@ impl World {
     pub fn joint_loads(&mut self) -> Vec<(DVec3, DVec3)> {
         let time = self.time();
         let system = (&self.forces, &self.joints, &mut self.articulation);
-        self.loads.solve_reactions(&self.bodies, system, time);
+        self.loads
+            .solve_reactions(&self.bodies, system, (&self.paths, time));
         let drives = self.articulation.drives();
         let rows = self.articulation.rows();
         let impacts = &self.impacts.joint_impulses;
