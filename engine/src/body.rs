@@ -4,7 +4,6 @@ use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::math::symmetric_eigen;
-use crate::mover::Twist;
 use crate::shape::Pose;
 
 /// Mass and principal moments of inertia. Fixed bodies have inverse mass and inverse moments zero.
@@ -145,15 +144,6 @@ impl Body {
         self.state.velocity += p * self.mass.inverse_mass;
         self.state.angular_momentum += turn;
         self.angular_velocity += self.inverse_inertia * turn;
-    }
-
-    /// Velocity and angular velocity.
-    #[must_use]
-    pub fn twist(&self) -> Twist {
-        Twist {
-            velocity: self.state.velocity,
-            angular_velocity: self.angular_velocity,
-        }
     }
 
     /// Velocity of the material point at the arm `r` from the centre of mass: v + omega x r.

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::Body;
 use crate::math::{length, tangents};
 use crate::model::{Coefficients, Geom};
-use crate::mover::{velocity_of, Moving};
+use crate::mover::Moving;
 use crate::narrowphase::ContactPoint;
 use crate::roll::Roll;
 
@@ -78,8 +78,12 @@ pub struct Contact {
 
 /// Relative velocity v_A + omega_A x r_A - v_B - omega_B x r_B [m/s].
 #[must_use]
-pub fn relative_velocity(bodies: &[Body], pair: (usize, usize), arms: (DVec3, DVec3)) -> DVec3 {
-    bodies[pair.0].velocity_at(arms.0) - bodies[pair.1].velocity_at(arms.1)
+pub fn relative_velocity(
+    moving: &[impl Moving],
+    pair: (usize, usize),
+    arms: (DVec3, DVec3),
+) -> DVec3 {
+    moving[pair.0].twist().at(arms.0) - moving[pair.1].twist().at(arms.1)
 }
 
 /// K d: the relative velocity that a unit impulse along `d` gives,
@@ -156,15 +160,20 @@ impl Contact {
         )
     }
 
-    /// Relative velocity now, along normal and tangents [m/s].
-    #[must_use]
-    pub fn velocity(&self, bodies: &[Body]) -> DVec3 {
-        self.to_local(relative_velocity(bodies, self.bodies, self.arms)) + self.surface
+    /// Relative velocity of the bodies' material points, along normal and tangents [m/s].
+    pub(crate) fn material_velocity(&self, moving: &[impl Moving]) -> DVec3 {
+        self.to_local(relative_velocity(moving, self.bodies, self.arms))
     }
 
-    /// The same while impulses are still being found.
-    pub(crate) fn velocity_among(&self, moving: &[impl Moving]) -> DVec3 {
-        velocity_of(moving, self) + self.surface + self.ahead
+    /// Relative velocity of the surfaces now, along normal and tangents [m/s].
+    #[must_use]
+    pub fn velocity(&self, moving: &[impl Moving]) -> DVec3 {
+        self.material_velocity(moving) + self.surface
+    }
+
+    /// The same at the end of the step that is being solved.
+    pub(crate) fn velocity_ahead(&self, moving: &[impl Moving]) -> DVec3 {
+        self.velocity(moving) + self.ahead
     }
 
     /// What the tangential velocity gains in a time `t` because the place of contact moves on over turning bodies.
@@ -189,8 +198,9 @@ impl Contact {
 
     /// Relative angular velocity omega_A - omega_B now, in world axes [rad/s].
     #[must_use]
-    pub fn turning(&self, bodies: &[Body]) -> DVec3 {
-        bodies[self.bodies.0].angular_velocity - bodies[self.bodies.1].angular_velocity
+    pub fn turning(&self, moving: &[impl Moving]) -> DVec3 {
+        let (a, b) = (moving[self.bodies.0].twist(), moving[self.bodies.1].twist());
+        a.angular_velocity - b.angular_velocity
     }
 
     /// The part of it that fixed bodies on a path have [rad/s].

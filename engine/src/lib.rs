@@ -1,6 +1,6 @@
 //! Everything inside a step of physsim: plain arrays in, plain arrays out.
 //!
-//! Read `world.rs` first: its `step` names every stage in order.
+//! Read `world/mod.rs` first: its `step` names every stage in order.
 
 pub mod approach;
 pub mod articulation;

@@ -111,10 +111,7 @@ impl Loads {
                 impulse / h
             };
             self.drive_forces.push(force);
-            for end in drive.row.ends() {
-                self.held[end.body].force += end.linear * force;
-                self.held[end.body].torque += end.angular * force;
-            }
+            drive.row.add_to(force, &mut self.held);
         }
     }
 

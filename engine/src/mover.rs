@@ -3,7 +3,6 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::Body;
-use crate::contact::Contact;
 
 /// What is solved for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,24 +37,44 @@ impl Twist {
 }
 
 /// Something that moves with a twist.
-pub(crate) trait Moving {
-    fn twist(&self) -> &Twist;
+pub trait Moving {
+    /// Linear and angular velocity.
+    fn twist(&self) -> Twist;
+}
+
+/// Something whose twist is being found.
+pub(crate) trait Yielding: Moving {
     fn twist_mut(&mut self) -> &mut Twist;
 }
 
-impl Moving for Twist {
-    fn twist(&self) -> &Twist {
-        self
+impl Moving for Body {
+    fn twist(&self) -> Twist {
+        Twist {
+            velocity: self.state.velocity,
+            angular_velocity: self.angular_velocity,
+        }
     }
+}
+
+impl Moving for Twist {
+    fn twist(&self) -> Twist {
+        *self
+    }
+}
+
+impl Yielding for Twist {
     fn twist_mut(&mut self) -> &mut Twist {
         self
     }
 }
 
 impl Moving for Mover {
-    fn twist(&self) -> &Twist {
-        &self.twist
+    fn twist(&self) -> Twist {
+        self.twist
     }
+}
+
+impl Yielding for Mover {
     fn twist_mut(&mut self) -> &mut Twist {
         &mut self.twist
     }
@@ -98,16 +117,4 @@ impl Mover {
         self.twist.velocity += change.velocity;
         self.twist.angular_velocity += change.angular_velocity;
     }
-}
-
-/// Relative velocity of a contact along normal and tangents [m/s].
-pub(crate) fn velocity_of(movers: &[impl Moving], c: &Contact) -> DVec3 {
-    let (a, b) = (movers[c.bodies.0].twist(), movers[c.bodies.1].twist());
-    c.to_local(a.at(c.arms.0) - b.at(c.arms.1))
-}
-
-/// omega_A - omega_B, world axes [rad/s].
-pub(crate) fn turning_of(movers: &[impl Moving], c: &Contact) -> DVec3 {
-    let (a, b) = (movers[c.bodies.0].twist(), movers[c.bodies.1].twist());
-    a.angular_velocity - b.angular_velocity
 }

@@ -30,7 +30,7 @@ use crate::disc::friction_in_disc;
 use crate::islands::{Island, Islands};
 use crate::joint::Row;
 use crate::math::length;
-use crate::mover::{turning_of, Mover, Part, Twist};
+use crate::mover::{Mover, Part, Twist};
 use crate::roll::Roll;
 use crate::subspace::Subspace;
 
@@ -177,19 +177,19 @@ impl Solver {
     /// Relative velocity of a contact after the solve, along normal and tangents [m/s].
     #[must_use]
     pub fn velocity(&self, c: &Contact) -> DVec3 {
-        c.velocity_among(&self.movers)
+        c.velocity_ahead(&self.movers)
     }
 
     /// Relative angular velocity of a contact after the solve, in world axes [rad/s].
     #[must_use]
     pub fn turning(&self, c: &Contact) -> DVec3 {
-        turning_of(&self.movers, c)
+        c.turning(&self.movers)
     }
 
     /// dC/dt of a row after the solve.
     #[must_use]
     pub fn rate(&self, row: &Row) -> f64 {
-        crate::articulation::rate(row, &self.movers)
+        row.rate(&self.movers)
     }
 
     /// Residual of the last solve around each body [m/s].
@@ -359,7 +359,7 @@ impl System<'_> {
             if c.friction == Friction::Kinetic || held || c.impulse.x == 0.0 {
                 continue;
             }
-            let u = c.velocity_among(self.movers);
+            let u = c.velocity_ahead(self.movers);
             if length(u.y, u.z) > noticeable {
                 c.friction = Friction::Kinetic;
                 any = true;
@@ -371,7 +371,7 @@ impl System<'_> {
 
 /// The exact answer of one contact, the others held.
 fn solve_contact(movers: &mut [Mover], c: &mut Contact, part: Part) {
-    let u = c.velocity_among(movers);
+    let u = c.velocity_ahead(movers);
     let old = c.impulse;
     let missing = c.target - u.x - c.give * old.x;
     let normal = (old.x + missing / (c.k_normal + c.give)).max(0.0);
@@ -401,7 +401,7 @@ fn solve_roll(movers: &mut [Mover], c: &mut Contact) -> f64 {
     if c.roll.is_none() {
         return 0.0;
     }
-    let (w, normal) = (turning_of(movers, c), c.impulse.x);
+    let (w, normal) = (c.turning(movers), c.impulse.x);
     set_turn(movers, c, |roll| roll.answer(roll.to_local(w), normal))
 }
 

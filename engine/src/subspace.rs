@@ -15,7 +15,7 @@ use glam::DVec3;
 
 use crate::contact::Contact;
 use crate::math::length;
-use crate::mover::{turning_of, velocity_of, Part, Twist};
+use crate::mover::{Part, Twist};
 use crate::roll::Roll;
 use crate::solver::System;
 
@@ -169,7 +169,7 @@ impl Subspace {
             let c = &system.contacts[k];
             let freedom = Freedom::of(c, part);
             let wanted = DVec3::X * (c.target - c.give * c.impulse.x);
-            let missing = wanted - c.velocity_among(system.movers);
+            let missing = wanted - c.velocity_ahead(system.movers);
             first.push(missing * freedom.asked * freedom.scale);
             self.freedom.push(freedom);
         }
@@ -178,7 +178,7 @@ impl Subspace {
             let c = &system.contacts[k];
             if let Some(roll) = &c.roll {
                 let freedom = Freedom::of_roll(roll, c.impulse.x, part);
-                let missing = -roll.to_local(turning_of(system.movers, c));
+                let missing = -roll.to_local(c.turning(system.movers));
                 first.push(missing * freedom.asked * freedom.scale);
                 self.freedom.push(freedom);
                 self.rolls.push(slot);
@@ -270,12 +270,12 @@ impl Subspace {
         for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(&mut unknowns) {
             let c = &system.contacts[k];
             let given = DVec3::X * (c.give * unknown.x * freedom.scale.x);
-            let change = velocity_of(&self.responses, c) + given;
+            let change = c.material_velocity(&self.responses) + given;
             out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
         }
         for (&slot, (freedom, &unknown)) in self.rolls.iter().zip(unknowns) {
             let c = &system.contacts[system.island.contacts[slot]];
-            let turning = turning_of(&self.responses, c);
+            let turning = c.turning(&self.responses);
             let change = c
                 .roll
                 .as_ref()

@@ -1,51 +1,23 @@
 //! Joints, integrators and located impacts through the whole step, without Python.
 
+mod common;
+
 use _engine::body::{MassProperties, State};
 use _engine::collide::NoOracle;
-use _engine::force::ForceModel;
 use _engine::integrator::Integrator;
 use _engine::joint::{JointModel, Kind};
-use _engine::model::{Coefficients, Geom, Model, PairTable, Settings, Stabilization};
+use _engine::model::{Geom, Model};
 use _engine::shape::Shape;
 use _engine::world::World;
+use common::{empty_model, G};
 use glam::{DMat3, DQuat, DVec3};
 
-const G: f64 = 9.81;
-
+/// Elastic and smooth, with located impacts.
 fn model(integrator: Integrator, timestep: f64) -> Model {
-    let elastic = Coefficients {
-        restitution: 1.0,
-        static_friction: 0.0,
-        kinetic_friction: 0.0,
-        rolling_friction: 0.0,
-        spinning_friction: 0.0,
-    };
-    Model {
-        settings: Settings {
-            timestep,
-            integrator,
-            located: true,
-            iterations: 50,
-            tolerance: 1e-6,
-            stabilization: Stabilization::SplitImpulse,
-            baumgarte: 0.2,
-            slip_speed: 0.01,
-            bounce_speed: 0.0,
-            fcl_only: false,
-        },
-        bodies: Vec::new(),
-        geoms: Vec::new(),
-        pairs: PairTable::new(1, vec![elastic]),
-        no_contact: Vec::new(),
-        forces: ForceModel {
-            gravity: DVec3::new(0.0, 0.0, -G),
-            ..ForceModel::default()
-        },
-        joints: Vec::new(),
-        drives: Vec::new(),
-        motions: Vec::new(),
-        surface_velocities: Vec::new(),
-    }
+    let mut model = empty_model(timestep, 1.0, 0.0);
+    model.settings.integrator = integrator;
+    model.settings.located = true;
+    model
 }
 
 /// A ball of 1 kg.

@@ -1,15 +1,14 @@
 //! The step against closed forms, without Python.
 
+mod common;
+
 use _engine::body::{MassProperties, State};
 use _engine::collide::NoOracle;
-use _engine::force::ForceModel;
-use _engine::integrator::Integrator;
-use _engine::model::{Coefficients, Geom, Model, PairTable, Settings, Stabilization};
+use _engine::model::{Geom, Model};
 use _engine::shape::Shape;
 use _engine::world::World;
+use common::{empty_model, G};
 use glam::{DMat3, DQuat, DVec3};
-
-const G: f64 = 9.81;
 
 struct Scene {
     model: Model,
@@ -17,40 +16,8 @@ struct Scene {
 
 impl Scene {
     fn new(timestep: f64, restitution: f64, friction: f64) -> Self {
-        let coefficients = Coefficients {
-            restitution,
-            static_friction: friction,
-            kinetic_friction: friction,
-            rolling_friction: 0.0,
-            spinning_friction: 0.0,
-        };
         Self {
-            model: Model {
-                settings: Settings {
-                    timestep,
-                    integrator: Integrator::SemiImplicitEuler,
-                    located: false,
-                    iterations: 50,
-                    tolerance: 1e-6,
-                    stabilization: Stabilization::SplitImpulse,
-                    baumgarte: 0.2,
-                    slip_speed: 0.01,
-                    bounce_speed: 0.0,
-                    fcl_only: false,
-                },
-                bodies: Vec::new(),
-                geoms: Vec::new(),
-                pairs: PairTable::new(1, vec![coefficients]),
-                no_contact: Vec::new(),
-                forces: ForceModel {
-                    gravity: DVec3::new(0.0, 0.0, -G),
-                    ..ForceModel::default()
-                },
-                joints: Vec::new(),
-                drives: Vec::new(),
-                motions: Vec::new(),
-                surface_velocities: Vec::new(),
-            },
+            model: empty_model(timestep, restitution, friction),
         }
     }
 

@@ -19,8 +19,8 @@ use serde::{Deserialize, Serialize};
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::force::Wrench;
-use crate::joint::{Ahead, Cause, DriveRow, End, Joints, Kind, Row};
-use crate::mover::{velocity_of, Mover, Moving, Twist};
+use crate::joint::{Ahead, Cause, DriveRow, Joints, Kind, Row};
+use crate::mover::{Mover, Moving, Twist, Yielding};
 use assembly::{Assembly, Member};
 
 /// Share of the diagonal that is added to it. Greater, and refinement converges slowly for heavy ends (1 : 1000 at 100
@@ -222,8 +222,7 @@ impl Articulation {
 
     /// Remember which bounded rows stand at a bound.
     pub fn keep_holds(&mut self) {
-        self.kept.clear();
-        self.kept.extend_from_slice(&self.holds[self.bilateral..]);
+        self.kept.copy_from_slice(&self.holds[self.bilateral..]);
     }
 
     /// What `keep_holds` kept; for checkpoints.
@@ -234,8 +233,7 @@ impl Articulation {
 
     /// Go back to what `kept_holds` gave here.
     pub(crate) fn keep(&mut self, holds: &[Hold]) {
-        self.kept.clear();
-        self.kept.extend_from_slice(holds);
+        self.kept.copy_from_slice(holds);
     }
 
     /// Take back what `kept_holds` gave.
@@ -328,7 +326,7 @@ impl Articulation {
 
     /// Make the rows of an assembly reach their aims from where the bodies are; impulses add up over the calls
     /// since `aim`.
-    pub(crate) fn solve(&mut self, assembly: usize, moving: &mut [impl Moving]) {
+    pub(crate) fn solve(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
         for round in 0..ROUNDS {
             self.clamp(assembly, moving);
             self.solve_free(assembly, moving);
@@ -345,8 +343,11 @@ impl Articulation {
         for slot in 0..self.assemblies[assembly].rows.len() {
             let row = self.assemblies[assembly].rows[slot];
             let free = self.holds[row] == Hold::Free;
-            self.assemblies[assembly].solution[slot] =
-                if free { -self.rate(row, motions) } else { 0.0 };
+            self.assemblies[assembly].solution[slot] = if free {
+                -self.rows[row].rate(motions)
+            } else {
+                0.0
+            };
         }
         self.divide(assembly);
         for slot in 0..self.assemblies[assembly].rows.len() {
@@ -400,10 +401,7 @@ impl Articulation {
     /// Add J^T y to wrenches, y the forces of the last `hold`.
     pub fn add_forces(&self, wrenches: &mut [Wrench]) {
         for (row, &y) in self.rows().iter().zip(&self.impulses) {
-            for end in row.ends() {
-                wrenches[end.body].force += end.linear * y;
-                wrenches[end.body].torque += end.angular * y;
-            }
+            row.add_to(y, wrenches);
         }
     }
 
@@ -424,7 +422,7 @@ impl Articulation {
             motions[k] = Mover::of(&bodies[k]).response(impulse, arm);
         }
         self.respond(assembly, &mut motions);
-        let left = velocity_of(&motions, c).x;
+        let left = c.material_velocity(&motions).x;
         self.trial = motions;
         left
     }
@@ -434,19 +432,14 @@ impl Articulation {
         (a.rows[slot], a.solution[slot])
     }
 
-    /// dC/dt of a row [m/s or rad/s].
-    pub(crate) fn rate(&self, row: usize, moving: &[impl Moving]) -> f64 {
-        rate(&self.rows[row], moving)
-    }
-
-    fn push(&self, row: usize, impulse: f64, moving: &mut [impl Moving]) {
+    fn push(&self, row: usize, impulse: f64, moving: &mut [impl Yielding]) {
         for (end, weighted) in self.rows[row].ends().iter().zip(&self.weighted[row]) {
             moving[end.body].twist_mut().add_scaled(weighted, impulse);
         }
     }
 
     /// Rows at a bound push just as much as it says.
-    fn clamp(&mut self, assembly: usize, moving: &mut [impl Moving]) {
+    fn clamp(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
         for slot in 0..self.assemblies[assembly].rows.len() {
             let row = self.assemblies[assembly].rows[slot];
             let bound = match self.holds[row] {
@@ -462,12 +455,12 @@ impl Articulation {
         }
     }
 
-    fn solve_free(&mut self, assembly: usize, moving: &mut [impl Moving]) {
+    fn solve_free(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
         let mut worst = 0.0_f64;
         for slot in 0..self.assemblies[assembly].rows.len() {
             let row = self.assemblies[assembly].rows[slot];
             let missing = if self.holds[row] == Hold::Free {
-                self.aims[row].target - self.rate(row, moving)
+                self.aims[row].target - self.rows[row].rate(moving)
             } else {
                 0.0
             };
@@ -493,7 +486,7 @@ impl Articulation {
             if row < self.bilateral || self.aims[row].is_idle() {
                 continue;
             }
-            let next = self.wanted_hold(row, self.rate(row, moving));
+            let next = self.wanted_hold(row, self.rows[row].rate(moving));
             if next != self.holds[row] {
                 self.holds[row] = next;
                 any = true;
@@ -552,7 +545,7 @@ impl Articulation {
         }
         for (&row, rest) in a.rows.iter().zip(&mut a.rest) {
             if self.holds[row] == Hold::Free {
-                *rest -= self.rate(row, &responses);
+                *rest -= self.rows[row].rate(&responses);
             }
         }
         self.responses = responses;
@@ -598,17 +591,8 @@ fn bodies_of(joints: &Joints, j: usize) -> Vec<usize> {
     }
 }
 
-/// dC/dt = J V of a row.
-pub(crate) fn rate(row: &Row, moving: &[impl Moving]) -> f64 {
-    let one = |end: &End| {
-        let twist = moving[end.body].twist();
-        end.linear.dot(twist.velocity) + end.angular.dot(twist.angular_velocity)
-    };
-    row.ends().iter().map(one).sum()
-}
-
 /// Impulse J^T x of a row on its bodies.
-pub(crate) fn apply(row: &Row, impulse: f64, bodies: &mut [Body]) {
+fn apply(row: &Row, impulse: f64, bodies: &mut [Body]) {
     if impulse == 0.0 {
         return;
     }

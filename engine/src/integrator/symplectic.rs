@@ -4,6 +4,7 @@ use super::dynamics::Dynamics;
 use super::rotation::{LIE_TROTTER, NO_SQUISH};
 use crate::body::Body;
 use crate::force::Powers;
+use crate::mover::Moving;
 
 /// Rounds of the implicit half kick at most, and the relative change at which it has converged. A force -c v asks for
 /// c dt / (2 m) < 1; each round then gains that factor.

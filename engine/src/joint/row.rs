@@ -3,6 +3,8 @@
 use glam::DVec3;
 
 use crate::body::Body;
+use crate::force::Wrench;
+use crate::mover::Moving;
 
 /// The part of a row's Jacobian that belongs to one body: dC/dt gains linear . v + angular . omega.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -18,9 +20,9 @@ pub struct End {
 impl End {
     /// linear . v + angular . omega
     #[must_use]
-    pub fn rate(&self, bodies: &[Body]) -> f64 {
-        let body = &bodies[self.body];
-        self.linear.dot(body.state.velocity) + self.angular.dot(body.angular_velocity)
+    pub fn rate(&self, moving: &[impl Moving]) -> f64 {
+        let twist = moving[self.body].twist();
+        self.linear.dot(twist.velocity) + self.angular.dot(twist.angular_velocity)
     }
 }
 
@@ -61,8 +63,16 @@ impl Row {
 
     /// dC/dt [m/s or rad/s].
     #[must_use]
-    pub fn rate(&self, bodies: &[Body]) -> f64 {
-        self.ends().iter().map(|end| end.rate(bodies)).sum()
+    pub fn rate(&self, moving: &[impl Moving]) -> f64 {
+        self.ends().iter().map(|end| end.rate(moving)).sum()
+    }
+
+    /// Add J^T f to the wrenches of the bodies.
+    pub fn add_to(&self, f: f64, wrenches: &mut [Wrench]) {
+        for end in self.ends() {
+            wrenches[end.body].force += end.linear * f;
+            wrenches[end.body].torque += end.angular * f;
+        }
     }
 
     /// Change of dC/dt by a unit impulse along the row on bodies that nothing else holds: J M^-1 J^T.

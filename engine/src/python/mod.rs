@@ -63,7 +63,7 @@ fn failure(error: Failure, callback: Callback) -> PyErr {
     }
 }
 
-/// The world of a scene; see `World` in `world.rs`.
+/// The world of a scene; see `World` in `world/mod.rs`.
 #[pyclass(name = "World", module = "physsim._engine")]
 struct PyWorld {
     world: World,

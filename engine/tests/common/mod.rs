@@ -1,0 +1,46 @@
+//! An empty scene under gravity, for the tests to fill.
+
+use _engine::force::ForceModel;
+use _engine::integrator::Integrator;
+use _engine::model::{Coefficients, Model, PairTable, Settings, Stabilization};
+use glam::DVec3;
+
+/// [m/s^2]
+pub const G: f64 = 9.81;
+
+/// One material, no bodies; stepped by semi-implicit Euler.
+pub fn empty_model(timestep: f64, restitution: f64, friction: f64) -> Model {
+    let coefficients = Coefficients {
+        restitution,
+        static_friction: friction,
+        kinetic_friction: friction,
+        rolling_friction: 0.0,
+        spinning_friction: 0.0,
+    };
+    Model {
+        settings: Settings {
+            timestep,
+            integrator: Integrator::SemiImplicitEuler,
+            located: false,
+            iterations: 50,
+            tolerance: 1e-6,
+            stabilization: Stabilization::SplitImpulse,
+            baumgarte: 0.2,
+            slip_speed: 0.01,
+            bounce_speed: 0.0,
+            fcl_only: false,
+        },
+        bodies: Vec::new(),
+        geoms: Vec::new(),
+        pairs: PairTable::new(1, vec![coefficients]),
+        no_contact: Vec::new(),
+        forces: ForceModel {
+            gravity: DVec3::new(0.0, 0.0, -G),
+            ..ForceModel::default()
+        },
+        joints: Vec::new(),
+        drives: Vec::new(),
+        motions: Vec::new(),
+        surface_velocities: Vec::new(),
+    }
+}
