@@ -26,14 +26,15 @@ def creased(vertices: FloatArray, triangles: IntArray) -> Mesh:
     parts = _smooth_parts(corners, faces)
     first, of_corner = np.unique(parts, return_index=True, return_inverse=True)[1:]
     weighted = (_angles(points, corners)[..., None] * faces[:, None]).reshape(-1, 3)
-    sums = np.stack([np.bincount(of_corner, weighted[:, axis]) for axis in range(3)], axis=-1)
+    sums = np.zeros((len(first), 3))
+    np.add.at(sums, of_corner, weighted)
     return Mesh(points[corners.reshape(-1)[first]], _unit(sums), of_corner.reshape(-1, 3).astype(np.int32))
 
 
 def _smooth_parts(corners: IntArray, faces: FloatArray) -> IntArray:
     """A number per corner (3 T), the same for the corners of one point that are smooth with each other."""
     a, b = _across_soft_edges(corners, faces)
-    labels = np.arange(corners.size)
+    labels = np.arange(corners.size, dtype=np.int32)
     while True:
         lower = np.minimum(labels[a], labels[b])
         if (labels[a] == lower).all() and (labels[b] == lower).all():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from math import ceil, sqrt
 
 import numpy as np
@@ -59,7 +60,7 @@ def revolved(profile: FloatArray, segments: int) -> Mesh:
     """The surface that `profile` sweeps: rows of radius, z, and the radial and axial part of the normal, from
     the bottom up. A point given twice with two normals is a sharp edge.
 
-    On the axis every triangle has a vertex of its own, half a segment on: the tip of a cone has no one normal.
+    On the axis every triangle has a vertex of its own, half a segment on: a cone's tip has no one normal.
     """
     on_axis = profile[:, :1] == 0
     angles = 2 * np.pi * (np.arange(segments) + np.where(on_axis, 0.5, 0.0)) / segments
@@ -83,7 +84,7 @@ def _bands(profile: FloatArray, segments: int) -> IntArray:
     here = np.arange(segments)
     ahead = np.roll(here, -1)
     parts = []
-    for ring, (low, high) in enumerate(zip(profile[:-1], profile[1:], strict=True)):
+    for ring, (low, high) in enumerate(pairwise(profile)):
         if (low[:2] == high[:2]).all():
             continue
         a, b = ring * segments, (ring + 1) * segments
@@ -95,7 +96,7 @@ def _bands(profile: FloatArray, segments: int) -> IntArray:
 
 
 def _arc(start: float, end: float, steps: int) -> FloatArray:
-    """Profile of the unit circle from latitude `start` to `end` [pi rad]; the poles lie on the axis exactly."""
+    """Profile of the unit circle from latitude `start` to `end` [pi rad]; poles lie on the axis exactly."""
     latitude = np.pi * np.linspace(start, end, steps + 1)
     radius, z = np.cos(latitude), np.sin(latitude)
     radius[np.abs(z) == 1] = 0
