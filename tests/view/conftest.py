@@ -24,7 +24,7 @@ def browser() -> Iterator[Browser]:
         reason = (
             f"no browser: PHYSSIM_BROWSER={os.environ['PHYSSIM_BROWSER']} is not a program"
             if os.environ.get("PHYSSIM_BROWSER")
-            else "no Chromium, Chrome or Edge on this machine (apt-get install chromium, or set PHYSSIM_BROWSER)"
+            else "no Chromium, Chrome or Edge here (apt-get install chromium, or set PHYSSIM_BROWSER)"
         )
         if os.environ.get("PHYSSIM_NEED_BROWSER") == "1":
             pytest.fail(reason)

@@ -1,7 +1,7 @@
 """A real browser of this machine: where it is, how it is started, and what a page did in it.
 
-Playwright only drives the browser; it never downloads one. Everything is drawn in software, so that pictures do
-not depend on a graphics card, and no name is ever resolved, so that nothing can reach a network.
+Playwright only drives the browser; it never downloads one. Everything is drawn in software, so that pictures
+do not depend on a graphics card, and no name is ever resolved, so that nothing can reach a network.
 """
 
 from __future__ import annotations
@@ -45,9 +45,7 @@ PATIENCE = 120_000
 def find_browser() -> str | None:
     """The program of PHYSSIM_BROWSER, or the first of PROGRAMS on this machine; None when there is none."""
     wanted = os.environ.get("PHYSSIM_BROWSER")
-    return next(
-        (found for name in ([wanted] if wanted else PROGRAMS) if (found := shutil.which(name))), None
-    )
+    return next((found for name in ([wanted] if wanted else PROGRAMS) if (found := shutil.which(name))), None)
 
 
 @contextmanager
