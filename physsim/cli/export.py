@@ -1,105 +1,122 @@
-"""`physsim export`: a trajectory as a table for other programs."""
-
-# ruff: noqa: PLC0415  a verb imports the rooms that it needs when it is called
+"""`physsim export`: a trajectory in the formats of other programs. Each format is in a file of its own."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from copy import copy
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import click
+from click.core import ParameterSource
 
 from physsim.cli import output
-from physsim.cli.verb import Example, Verb, debug_option
+from physsim.cli.export_format import Format, Order
+from physsim.cli.export_table import TABLE
+from physsim.cli.verb import Verb, debug_option
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator
-
-    from physsim.analysis.export.rows import Batch, Units
-    from physsim.recording import Trajectory
-
-TABLES = ("csv", "parquet")
+FORMATS = (TABLE,)
 LATER = ("glb", "mp4", "gif", "png", "html")
-CONTENTS = ("wide", "long", "contacts", "impacts")
+NAMES = tuple(name for format in FORMATS for name in format.names)
+
+
+class Export(Verb):
+    """The verb with the options of all formats; the help of each begins with the formats that have it."""
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        for option in dict.fromkeys(option for format in FORMATS for option in format.options):
+            shown = copy(option)
+            shown.help = f"{', '.join(names_with(str(option.name)))}: {option.help}"
+            self.params.insert(-1, shown)
+
+
+def names_with(option: str) -> list[str]:
+    """The formats that have an option."""
+    return [
+        name
+        for format in FORMATS
+        if option in {each.name for each in format.options}
+        for name in format.names
+    ]
 
 
 @click.command(
-    cls=Verb,
+    cls=Export,
     arguments=[
         ("FILE", "a trajectory (HDF5)"),
         (
             "QUANTITY...",
-            "names as in `expect`, * for any body, joint or spring; default: the state of all bodies",
+            "tables only: names as in `expect`, * for any body, joint or spring; default: the state of all "
+            "bodies",
         ),
     ],
-    examples=[
-        Example(
-            "one row per frame, the state of every body: my_scene.csv", "physsim export my_scene.h5 --to csv"
-        ),
-        Example(
-            "chosen quantities, one row per number, as data frames like it",
-            "physsim export my_scene.h5 'bodies.*.speed' energy.total --to parquet --rows long",
-        ),
-        Example("every contact point", "physsim export my_scene.h5 --to csv --rows contacts -o contacts.csv"),
-    ],
+    examples=[example for format in FORMATS for example in format.examples],
 )
-@click.argument("file", type=click.Path())
+@click.argument("file", type=click.Path(path_type=Path))
 @click.argument("quantities", metavar="[QUANTITY...]", nargs=-1)
 @click.option(
     "--to",
-    "format",
+    "name",
     required=True,
-    type=click.Choice([*TABLES, *LATER]),
-    metavar="|".join(TABLES),
+    type=click.Choice([*NAMES, *LATER]),
+    metavar="|".join(NAMES),
     help="The format.",
 )
 @click.option(
-    "--rows",
-    type=click.Choice(CONTENTS),
-    default="wide",
-    help="What a row is: wide, a frame (default); long, a number; contacts, a contact point; impacts, an "
-    "impact.",
-)
-@click.option(
-    "-o", "--output", "target", type=click.Path(), metavar="FILE", help="Default: FILE's name, here."
+    "-o",
+    "--output",
+    "target",
+    type=click.Path(path_type=Path),
+    metavar="FILE",
+    help="Default: FILE's name, here.",
 )
 @click.option("--force", is_flag=True, help="Replace an existing file.")
 @debug_option
+@click.pass_context
 def command(
-    *, file: str, quantities: tuple[str, ...], format: str, rows: str, target: str | None, force: bool
+    ctx: click.Context,
+    /,
+    *,
+    file: Path,
+    quantities: tuple[str, ...],
+    name: str,
+    target: Path | None,
+    force: bool,
+    **own: Any,
 ) -> None:
-    """Write a trajectory as a table, block by block: a file of any size needs little memory.
+    """Write a trajectory for other programs.
 
-    All values are SI; numbers in CSV are written in the fewest digits that give the same bits back. Columns
-    of Parquet carry their units.
+    csv, parquet: a table, written block by block, so that a file of any size needs little memory. All values
+    are SI; numbers in CSV are written in the fewest digits that give the same bits back. Columns of Parquet
+    carry their units.
     """
-    from physsim.analysis.export import check_writer, write
-    from physsim.recording import open_trajectory
-
-    if format in LATER:
-        raise click.UsageError(
-            f"--to {format}: not supported yet; this version writes {' and '.join(TABLES)}"
-        )
-    if quantities and rows in {"contacts", "impacts"}:
-        raise click.UsageError(
-            f"--rows {rows} writes all columns of {rows}; quantities are for wide and long"
-        )
-    path = Path(f"{Path(file).stem}.{format}") if target is None else Path(target)
-    check_writer(format, path, force=force)
-    with open_trajectory(file) as trajectory:
-        count = write(format, path, *content(trajectory, rows, quantities))
-    output.result(f"{path}: {output.counted(count, 'row', 'rows')}")
+    format = format_named(name)
+    refuse_foreign(ctx, format, name)
+    if quantities and not format.quantities:
+        raise click.UsageError(f"--to {name} shows the whole scene; quantities are for {spoken(TABLE.names)}")
+    order = Order(file, name, target or Path(f"{file.stem}.{name}"), force, quantities)
+    output.result(format.write(order, **{option.name: own[option.name] for option in format.options}))
 
 
-def content(trajectory: Trajectory, rows: str, quantities: Sequence[str]) -> tuple[Iterator[Batch], Units]:
-    """The rows asked for, and the units of their columns."""
-    from physsim.analysis import export
-    from physsim.analysis.names import expanded
+def format_named(name: str) -> Format:
+    """The format. click.UsageError for one that is still to come."""
+    for format in FORMATS:
+        if name in format.names:
+            return format
+    raise click.UsageError(f"--to {name}: not supported yet; this version writes {spoken(NAMES)}")
 
-    if rows == "contacts":
-        return export.contact_rows(trajectory)
-    if rows == "impacts":
-        return export.impact_rows(trajectory)
-    names = [name for pattern in quantities for name in expanded(trajectory, pattern)] or None
-    return (export.wide_rows if rows == "wide" else export.long_rows)(trajectory, names)
+
+def refuse_foreign(ctx: click.Context, format: Format, name: str) -> None:
+    """click.UsageError for an option that was given and belongs to other formats."""
+    has = {option.name for option in format.options}
+    for option in dict.fromkeys(option for other in FORMATS for option in other.options):
+        given = ctx.get_parameter_source(str(option.name)) is ParameterSource.COMMANDLINE
+        if given and option.name not in has:
+            raise click.UsageError(
+                f"{option.opts[0]} is for --to {spoken(names_with(str(option.name)))}, not for --to {name}"
+            )
+
+
+def spoken(words: tuple[str, ...] | list[str]) -> str:
+    """`a, b and c`."""
+    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)

@@ -10,7 +10,7 @@ import numpy as np
 
 from physsim.analysis.export.rows import Batch, Units
 from physsim.errors import FileTrouble
-from physsim.recording.target import part_of, plain
+from physsim.recording.whole_file import check_name, whole_file
 
 # Parquet is read fastest in groups of some ten thousand rows.
 ROWS_PER_GROUP = 1 << 15
@@ -18,10 +18,7 @@ ROWS_PER_GROUP = 1 << 15
 
 def check_writer(format: str, path: Path, *, force: bool) -> None:
     """Raises FileTrouble when the file is there already, or a package is missing that the format needs."""
-    if path.exists() and not force:
-        raise FileTrouble(f"{path}: exists already; --force replaces it, -o names another file")
-    if not path.parent.is_dir():
-        raise FileTrouble(f"{path}: the folder {path.parent} does not exist")
+    check_name(path, force=force)
     if format == "parquet":
         try:
             import pyarrow.parquet  # noqa: F401, PLC0415, optional and slow to import
@@ -34,17 +31,8 @@ def write(format: str, path: Path, batches: Iterable[Batch], units: Units) -> in
 
     format: a key of WRITERS. Raises FileTrouble when it cannot be written.
     """
-    part = part_of(path)
-    try:
-        count = WRITERS[format](part, batches, units)
-        part.replace(path)
-    except OSError as error:
-        part.unlink(missing_ok=True)
-        raise FileTrouble(f"{path}: cannot be written: {plain(error)}") from error
-    except BaseException:
-        part.unlink(missing_ok=True)
-        raise
-    return count
+    with whole_file(path) as part:
+        return WRITERS[format](part, batches, units)
 
 
 def _write_csv(path: Path, batches: Iterable[Batch], units: Units) -> int:

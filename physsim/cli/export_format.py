@@ -1,0 +1,50 @@
+"""What `physsim export` asks of each format: its names, its options, its examples, and how it is written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import click
+
+from physsim.cli.verb import Example
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be exported. file: the trajectory; format: a name of the format; target: where to, which may
+    not exist yet unless `force`; quantities: as given, none when the format takes none.
+    """
+
+    file: Path
+    format: str
+    target: Path
+    force: bool
+    quantities: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Format:
+    """One way to write a trajectory, under one or more names of `--to`.
+
+    write: is called with the order and a keyword for each of `options`; returns what to say on stdout.
+    options: those that not every format has; formats that share one list the same object.
+    quantities: whether names of quantities may follow the file.
+    """
+
+    names: tuple[str, ...]
+    write: Callable[..., str]
+    options: tuple[click.Option, ...] = ()
+    examples: tuple[Example, ...] = ()
+    quantities: bool = False
+
+
+START = click.Option(["--from", "start"], type=float, metavar="T", help="Begin at this time [s].")
+END = click.Option(["--until", "end"], type=float, metavar="T", help="End at this time [s].")
+FPS = click.Option(
+    ["--fps"],
+    type=click.FloatRange(min=0, min_open=True),
+    metavar="N",
+    help="Frames per second of simulated time. Default: those of the file.",
+)
