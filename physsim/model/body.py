@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isinf
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ from physsim.materials import library
 from physsim.model import rotation
 from physsim.model.findings import Findings, Path
 from physsim.model.form import Form, primitive
-from physsim.model.geom import Geom
+from physsim.model.geom import Geom, Look
 from physsim.model.inertia import MassProperties, composed, impossible
 from physsim.model.mesh_form import MeshFiles, convex_form, mesh_form
 from physsim.model.trouble import ShapeTrouble
@@ -37,11 +37,12 @@ class Part:
     translation: rotation.FloatArray
     path: Path
 
-    def geoms(self) -> tuple[Geom, ...]:
-        """The part's geoms in the body's frame."""
-        return tuple(
-            geom.moved(self.quaternion, self.translation).of(self.material) for geom in self.form.geoms
-        )
+    def looks(self, collides: bool) -> list[Look]:
+        """What is seen of the part and what collides, in the body's frame."""
+        return [
+            replace(look, geom=look.geom.moved(self.quaternion, self.translation).of(self.material))
+            for look in self.form.looks(collides)
+        ]
 
     def weighing(self, mass: float) -> MassProperties:
         """The part's mass properties [kg] in the body's frame."""
@@ -54,10 +55,15 @@ class Body:
 
     properties: MassProperties
     method: str
-    geoms: tuple[Geom, ...]
+    looks: tuple[Look, ...]
     material: str
     thickness: float
     extent: float
+
+    @property
+    def geoms(self) -> tuple[Geom, ...]:
+        """What collides, in the body's frame."""
+        return tuple(look.geom for look in self.looks if look.collides)
 
 
 class BodyMaker:
@@ -79,10 +85,10 @@ class BodyMaker:
         if weighed is None:
             return None
         properties, method = self._with_declared_inertia(spec, *weighed, path)
-        geoms = tuple(geom for part in parts for geom in part.geoms()) if spec.collides else ()
+        looks = tuple(look for part in parts for look in part.looks(spec.collides))
         thickness = min(part.form.thickness for part in parts)
         extent = max(part.form.extent for part in parts)
-        return Body(properties, method, geoms, parts[0].material, thickness, extent)
+        return Body(properties, method, looks, parts[0].material, thickness, extent)
 
     def density(self, material: str) -> float | None:
         """Density [kg/m^3] of a material: the scene's, else the library's, else None."""

@@ -10,11 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from physsim.errors import SceneError
+from physsim.materials import library
 from physsim.model import checks
 from physsim.model.arrays import floats
 from physsim.model.body import Body, BodyMaker
 from physsim.model.findings import Findings, Path
 from physsim.model.geom_table import geom_table
+from physsim.model.look_table import look_table
 from physsim.model.mechanics import mechanics
 from physsim.model.mesh_form import MeshFiles, MeshMemory
 from physsim.model.model import GeomTable, Model
@@ -100,11 +102,19 @@ class _Compiler:
                 names, geoms, can_touch(_made_of(geoms, len(specs), len(names)), fixed, no_contact)
             ),
             geoms=geoms,
+            looks=look_table(bodies, self._color),
             no_contact=no_contact,
             mechanics=mechanics(self.scene, Placement(stand), self.findings),
             mesh_sha256=dict(sorted(self.files.sha256.items())),
             warnings=(),
         )
+
+    def _color(self, material: str) -> str:
+        """The scene's colour of a material, else the library's, else ""."""
+        declared = self.scene.spec.materials.get(material)
+        if declared is not None and declared.color is not None:
+            return declared.color
+        return (material in library.material_names() and library.material(material).color) or ""
 
     def _stand(self, bodies: Sequence[Body]) -> Stand:
         specs = self.specs

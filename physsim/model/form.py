@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from physsim.model import primitives, rotation
-from physsim.model.geom import Geom, GeomKind
+from physsim.model.geom import Geom, GeomKind, Look
 from physsim.model.inertia import MassProperties
 from physsim.model.rotation import FloatArray
 
@@ -34,7 +34,8 @@ if TYPE_CHECKING:
 @dataclass(frozen=True)
 class Form:
     """unit: mass properties of one kilogram of it; volume [m^3], None for what has none (rod, shell), inf
-    for a half-space; method: how these were found; thickness, extent: smallest and largest dimension [m].
+    for a half-space; method: how these were found; thickness, extent: smallest and largest dimension [m];
+    drawn: the surface as the user drew it, where the geoms only stand for it.
     """
 
     unit: MassProperties
@@ -43,6 +44,14 @@ class Form:
     thickness: float
     extent: float
     geoms: tuple[Geom, ...]
+    drawn: Geom | None = None
+
+    def looks(self, collides: bool) -> list[Look]:
+        """What is seen of it and what collides; nothing that does neither."""
+        if self.drawn is None:
+            return [Look(geom, shown=True, collides=collides) for geom in self.geoms]
+        hidden = [Look(geom, shown=False, collides=True) for geom in self.geoms] if collides else []
+        return [Look(self.drawn, shown=True, collides=False), *hidden]
 
 
 def primitive(shape: Any) -> Form:

@@ -69,6 +69,15 @@ class Geom:
         )
 
 
+@dataclass(frozen=True)
+class Look:
+    """A geom and its part: shown, what the user drew; collides, what stands for it in contacts."""
+
+    geom: Geom
+    shown: bool
+    collides: bool
+
+
 def hull_geom(hull: Hull) -> Geom:
     """A geom whose frame sits in the middle of the hull, where numbers are small."""
     middle = (hull.vertices.max(axis=0) + hull.vertices.min(axis=0)) / 2

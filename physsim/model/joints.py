@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from physsim.scene.spec.springs import SpringSpec
 
 NO_ARM: FloatArray = np.zeros(3)
+NO_AXIS: FloatArray = np.full(3, np.nan)
 WORLD_AXES: FloatArray = np.array(rotation.IDENTITY)
 
 
@@ -128,6 +129,11 @@ class JointTable:
             2,
             3,
         )
+
+    @property
+    def axes(self) -> FloatArray:
+        """(J, 3) unit vectors in A's own axes; NaN for kinds without an axis."""
+        return floats([_axis_of(row) for row in self.rows], 3)
 
     def engine_input(self) -> dict[str, object]:
         """The joints and their drives as plain arrays; anchors from the centres of mass."""
@@ -244,6 +250,13 @@ class _JointMaker:
         """Ends and arms of what has anchors in the frames of its bodies."""
         a, b = (self._placement[name] for name in spec.between)
         return (a, b), (a.arm_of_own(spec.anchors[0]), b.arm_of_own(spec.anchors[1]))
+
+
+def _axis_of(row: Joint) -> FloatArray:
+    """The z axis of its frame, seen from A."""
+    if row.kind.name.lower() not in _FRAMES:
+        return NO_AXIS
+    return row.ends[0].axis_of_world(rotation.matrix(row.frame)[:, 2])
 
 
 def _or_never(spec: Any, name: str) -> float:

@@ -86,7 +86,8 @@ def _made(mesh: TriangleMesh, shape: MeshShape, fixed: bool) -> Form:
     unit, volume, method = _mass_properties(mesh, vertices, shape.inertia, fixed)
     spans = np.ptp(vertices, axis=0)
     geoms = _geoms(mesh, vertices, shape)
-    return Form(unit, volume, method, float(spans.min()), float(np.linalg.norm(spans)), geoms)
+    drawn = None if shape.collision == "exact" else surface_geom(vertices, mesh.triangles)
+    return Form(unit, volume, method, float(spans.min()), float(np.linalg.norm(spans)), geoms, drawn)
 
 
 def convex_form(shape: ConvexShape, files: MeshFiles) -> Form:

@@ -13,6 +13,7 @@ from physsim.errors import Problem
 from physsim.model import rotation
 from physsim.model.geom import Surface
 from physsim.model.hull import Hull
+from physsim.model.look_table import LookTable
 from physsim.model.mechanics import Mechanics
 from physsim.model.pair_table import PairTable
 from physsim.model.polyhedron import IntArray
@@ -70,6 +71,7 @@ class Model:
     body_material: IntArray
     pairs: PairTable
     geoms: GeomTable
+    looks: LookTable
     no_contact: IntArray
     mechanics: Mechanics
     mesh_sha256: Mapping[str, str]

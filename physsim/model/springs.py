@@ -101,6 +101,11 @@ class SpringTable:
             3,
         )
 
+    @property
+    def axes(self) -> FloatArray:
+        """(S, 3) unit vectors in A's own axes of torsional springs; NaN for linear ones."""
+        return floats([_unit(_axes(row)[0]) for row in self.rows], 3)
+
     def engine_input(self) -> dict[str, object]:
         """The springs as plain arrays; anchors from the centres of mass."""
         rows = self.rows
@@ -126,6 +131,12 @@ def _axes(row: Spring) -> list[FloatArray]:
     if row.kind is SpringKind.LINEAR:
         return [np.zeros(3), np.zeros(3)]
     return [end.axis_of_world(row.axis) for end in row.ends]
+
+
+def _unit(axis: FloatArray) -> FloatArray:
+    """Of length 1; NaN where there is no direction."""
+    length = float(np.linalg.norm(axis))
+    return axis / length if length > 0 else np.full(3, np.nan)
 
 
 def _spring(spec: SpringSpec, placement: Placement) -> Spring:

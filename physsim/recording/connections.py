@@ -31,6 +31,14 @@ def _who(group: str, axis: str, word: str) -> tuple[Column, ...]:
         Column(f"{group}/{axis}", (axis,), "str", "1", f"Name of each {word}, as in the scene."),
         Column(f"{group}/type", (axis,), "str", "1", f"Type of each {word}, as in the scene."),
         *ends,
+        Column(
+            f"{group}/axis_a",
+            (axis, "axis"),
+            "f8",
+            "1",
+            f"Axis of the {word}, a unit vector in body A's own axes; NaN for types without one.",
+            later=True,
+        ),
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -20,10 +21,14 @@ ITEM_AXES = ("body", "joint", "spring")
 CHUNK_BYTES = 192 * 1024
 CHUNK_FRAMES = (64, 1024)
 CHUNK_ROWS = 1024
+# What does not grow is packed when it is larger than this: meshes.
+PACKED_BYTES = 64 * 1024
+PACKED_ROWS = 4096
 SMALL_CHUNK_FRAMES = 256
 
 # netCDF's own words for an axis that has a length but no labels.
 _BARE_AXIS = "This is a netCDF dimension but not a netCDF variable."
+_PACKED = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
 _NUMPY_KINDS = {"f8": np.float64, "i8": np.int64, "i4": np.int32, "i1": np.int8, "u1": np.uint8}
 
 
@@ -68,10 +73,11 @@ def _set_attributes(file: h5py.File, attributes: Mapping[str, Any]) -> None:
 
 
 def _sizes(columns: tuple[Column, ...], values: Mapping[str, Any]) -> dict[str, int]:
+    """The length of every axis that does not grow."""
     sizes = {dim: len(labels) for dim, labels in FIXED_AXES.items()}
     for column in columns:
-        if column.is_scale and column.path in values:
-            sizes[column.name] = len(values[column.path])
+        if column.path in values and not column.grows_along:
+            sizes |= zip(column.dims, np.shape(values[column.path]), strict=True)
     return sizes
 
 
@@ -79,19 +85,12 @@ def _create_dataset(
     file: h5py.File, column: Column, sizes: Mapping[str, int], values: Mapping[str, Any]
 ) -> None:
     shape = tuple(sizes.get(dim, 0) for dim in column.dims)
-    options: dict[str, Any] = {}
-    if column.grows_along:
-        options = {
-            "maxshape": (None, *shape[1:]),
-            "chunks": _chunks(column, shape, sizes),
-            "compression": "gzip",
-            "compression_opts": 1,
-            "shuffle": True,
-        }
-    elif column.dims == ("byte",):
-        options = {"maxshape": (None,), "chunks": (1 << 16,)}
     dataset = file.create_dataset(
-        column.path, shape=shape, dtype=_dtype(column), fillvalue=_missing(column), **options
+        column.path,
+        shape=shape,
+        dtype=_dtype(column),
+        fillvalue=_missing(column),
+        **_storage(column, shape, sizes),
     )
     dataset.attrs["units"] = column.units
     dataset.attrs["long_name"] = column.description
@@ -99,6 +98,17 @@ def _create_dataset(
         dataset[:] = list(FIXED_AXES[column.name])
     elif column.path in values and np.size(values[column.path]):
         dataset[...] = values[column.path]
+
+
+def _storage(column: Column, shape: tuple[int, ...], sizes: Mapping[str, int]) -> dict[str, Any]:
+    """How a dataset is cut into chunks and packed."""
+    if column.grows_along:
+        return {"maxshape": (None, *shape[1:]), "chunks": _chunks(column, shape, sizes), **_PACKED}
+    if column.dims == ("byte",):
+        return {"maxshape": (None,), "chunks": (1 << 16,)}
+    if column.kind != "str" and 8 * math.prod(shape) > PACKED_BYTES:
+        return {"chunks": (min(shape[0], PACKED_ROWS), *shape[1:]), **_PACKED}
+    return {}
 
 
 def _dtype(column: Column) -> Any:

@@ -5,8 +5,8 @@ checks a file against it, and `as_markdown` prints it for the documentation.
 
 Groups that a run has nothing for are absent: `/joints` and `/springs` when the scene has none or says
 `record: {joints: false}`, `/energy` when `record: {energy: false}`, `/contacts` when `record: {contacts:
-false}`. Impacts are always recorded; `/energy/spring` and `/energy/work_motors` are 0 when nothing feeds
-them.
+false}`; `/geometry` in files of before shapes were kept. Impacts are always recorded; `/energy/spring` and
+`/energy/work_motors` are 0 when nothing feeds them.
 """
 
 from __future__ import annotations
@@ -103,6 +103,67 @@ _MOMENTUM = (
         "f8",
         "kg m2 s-1",
         "Sum of m x × v + I ω over all moving bodies, about the world's origin.",
+    ),
+)
+
+_GEOMETRY = (
+    Column("geometry/body", ("geometry",), "i4", "1", "The body it belongs to, as a row of /body."),
+    Column(
+        "geometry/kind",
+        ("geometry",),
+        "str",
+        "1",
+        "sphere, capsule, box, cylinder, cone, ellipsoid, rod, halfspace or surface.",
+    ),
+    Column(
+        "geometry/parameters",
+        ("geometry", "parameter"),
+        "f8",
+        "m",
+        "sphere: radius; capsule and cylinder: radius, half height (axis z); box: half edges; cone: radius, "
+        "height (axis z, origin a quarter of the height above the base); ellipsoid: half axes; rod: half "
+        "length (axis z); halfspace: none (solid where z is below 0).",
+    ),
+    Column(
+        "geometry/position",
+        ("geometry", "axis"),
+        "f8",
+        "m",
+        "Of its frame from the body's origin, body axes.",
+    ),
+    Column(
+        "geometry/orientation",
+        ("geometry", "quaternion"),
+        "f8",
+        "1",
+        "Unit quaternion, its frame to body axes.",
+    ),
+    Column("geometry/material", ("geometry",), "str", "1", "Name of its material."),
+    Column("geometry/color", ("geometry",), "str", "1", "#rrggbb, empty where nobody declares one."),
+    Column("geometry/shown", ("geometry",), "i1", "1", "1 for what the scene draws, else 0."),
+    Column("geometry/collides", ("geometry",), "i1", "1", "1 for what collides, else 0."),
+    Column("geometry/surface", ("geometry",), "i4", "1", "Its surface; -1 for kinds without one."),
+    Column(
+        "geometry/vertex_offset",
+        ("surface_boundary",),
+        "i8",
+        "1",
+        "Vertices of surface k are offset[k] to offset[k + 1], the last not included.",
+    ),
+    Column(
+        "geometry/triangle_offset",
+        ("surface_boundary",),
+        "i8",
+        "1",
+        "Triangles of surface k are offset[k] to offset[k + 1], the last not included.",
+    ),
+    Column("geometry/vertices", ("vertex", "axis"), "f8", "m", "Vertices of all surfaces, geometry's frame."),
+    Column(
+        "geometry/triangles",
+        ("triangle", "corner"),
+        "i4",
+        "1",
+        "Corners as vertices of the own surface, counted from 0, counter-clockwise seen from outside.",
     ),
 )
 
@@ -233,9 +294,15 @@ _CHECKPOINT = tuple(
 
 _ALWAYS = (*_LABELS, *_STATE, *_BODIES, *_MOMENTUM, *_EVENTS, *_SOLVER, *_PAIRS, *_PROVENANCE, *_CHECKPOINT)
 
-EVERYTHING: tuple[Column, ...] = (*_ALWAYS, *_ENERGY, *_CONTACTS, *JOINTS, *SPRINGS)
+EVERYTHING: tuple[Column, ...] = (*_ALWAYS, *_GEOMETRY, *_ENERGY, *_CONTACTS, *JOINTS, *SPRINGS)
 BY_PATH = {column.path: column for column in EVERYTHING}
-_OPTIONAL = {"energy": _ENERGY, "contacts": _CONTACTS, "joints": JOINTS, "springs": SPRINGS}
+_OPTIONAL = {
+    "geometry": _GEOMETRY,
+    "energy": _ENERGY,
+    "contacts": _CONTACTS,
+    "joints": JOINTS,
+    "springs": SPRINGS,
+}
 OPTIONAL_GROUPS = tuple(_OPTIONAL)
 
 

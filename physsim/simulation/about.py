@@ -48,6 +48,7 @@ def fixed_values(scene: Scene, model: Model) -> dict[str, Any]:
         "center_of_mass": model.center_of_mass,
         "material": list(names[model.body_material]),
         "fixed": np.asarray(model.fixed, np.int8),
+        **_geometry(model),
         **_joints(model),
         **_springs(model),
         **_pairs(model),
@@ -58,6 +59,25 @@ def fixed_values(scene: Scene, model: Model) -> dict[str, Any]:
 def now() -> str:
     """Clock time in UTC, ISO 8601."""
     return datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds")
+
+
+def _geometry(model: Model) -> dict[str, Any]:
+    looks = model.looks
+    rows = ("body", "kind", "parameters", "position", "orientation", "material", "color")
+    marks = ("shown", "collides", "surface")
+    return {
+        **{f"geometry/{name}": getattr(looks, name) for name in (*rows, *marks)},
+        **_stacked("vertex", "vertices", [surface.vertices for surface in looks.surfaces]),
+        **_stacked("triangle", "triangles", [surface.triangles for surface in looks.surfaces]),
+    }
+
+
+def _stacked(word: str, name: str, parts: list[Any]) -> dict[str, Any]:
+    """Arrays of three columns in one, and where each begins."""
+    return {
+        f"geometry/{word}_offset": np.cumsum([0, *(len(part) for part in parts)]),
+        f"geometry/{name}": np.concatenate([np.zeros((0, 3)), *parts]),
+    }
 
 
 def _joints(model: Model) -> dict[str, Any]:
@@ -71,24 +91,27 @@ def _joints(model: Model) -> dict[str, Any]:
         f"joints/{name}_unit": [some[k] if k < len(some) else "" for some in units]
         for k, name in enumerate(("coordinate", "coordinate_2", "coordinate_3"))
     }
-    return {**_who("joints", "joint", table, table.bodies[:count], table.anchors[:count]), **named}
+    return {**_who("joints", "joint", table, count), **named}
 
 
 def _springs(model: Model) -> dict[str, Any]:
     table = model.mechanics.springs
     units = [("m", "N") if kind == "linear" else ("rad", "N m") for kind in table.types]
     return {
-        **_who("springs", "spring", table, table.bodies, table.anchors),
+        **_who("springs", "spring", table, len(table.names)),
         "springs/length_unit": [length for length, _ in units],
         "springs/force_unit": [force for _, force in units],
     }
 
 
-def _who(group: str, axis: str, table: Any, bodies: Any, anchors: Any) -> dict[str, Any]:
+def _who(group: str, axis: str, table: Any, count: int) -> dict[str, Any]:
+    """Of the first `count` rows of a table."""
+    bodies, anchors = table.bodies[:count], table.anchors[:count]
     ends = ("a", "b")
     return {
         f"{group}/{axis}": list(table.names),
         f"{group}/type": list(table.types),
+        f"{group}/axis_a": table.axes[:count],
         **{f"{group}/body_{end}": bodies[:, k] for k, end in enumerate(ends)},
         **{f"{group}/anchor_{end}": anchors[:, k] for k, end in enumerate(ends)},
     }

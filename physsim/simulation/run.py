@@ -13,6 +13,7 @@ from physsim.simulation.about import fixed_values, now, root_attributes
 from physsim.simulation.expectations import check_expectations, demand
 from physsim.simulation.loop import Ending, Loop, Schedule
 from physsim.simulation.measure import Measure
+from physsim.simulation.onlooker import Onlooker
 from physsim.simulation.overlaps import overlap_problems, overlaps_of
 from physsim.simulation.prepare import Prepared, Warn, prepare
 from physsim.simulation.progress import Report, Throttle
@@ -43,6 +44,7 @@ def run(
     progress: Report | None = None,
     warn: Warn | None = None,
     check: bool = False,
+    onlooker: Onlooker | None = None,
 ) -> Trajectory:
     """Runs a scene and returns its trajectory, open for reading.
 
@@ -52,7 +54,7 @@ def run(
     resume: goes on from what is in `output`, bit for bit as if it had never stopped; starts anew when there
     is nothing. force: replaces an old file. progress: called at most ten times a second. warn: called with
     every warning about the scene. check: raises ExpectationFailed when an entry of `expect` does not hold;
-    the file is kept.
+    the file is kept. onlooker: is handed everything that is recorded while it is; the file has the same bits.
 
     Raises SceneError when the scene is not valid, FileTrouble when the file cannot be written or another
     file is in the way, RunFailed when the motion blows up (the file is kept, status failed), and
@@ -63,11 +65,11 @@ def run(
     found = find_resumable(prepared.target, prepared.scene, prepared.model) if resume else None
     if found is None:
         _refuse_bad_target(prepared, force)
-        path = _simulate(prepared, None, Throttle(progress))
+        path = _simulate(prepared, None, Throttle(progress), onlooker)
     elif _is_done(found, prepared.schedule):
         path = found.path
     else:
-        path = _simulate(prepared, found, Throttle(progress))
+        path = _simulate(prepared, found, Throttle(progress), onlooker)
     trajectory = open_trajectory(path)
     if check:
         with _closed_on_error(trajectory):
@@ -94,7 +96,9 @@ def _is_done(found: Resumable, schedule: Schedule) -> bool:
     return found.checkpoint.step == schedule.steps and found.status == "complete"
 
 
-def _simulate(prepared: Prepared, found: Resumable | None, report: Throttle) -> Path:
+def _simulate(
+    prepared: Prepared, found: Resumable | None, report: Throttle, onlooker: Onlooker | None
+) -> Path:
     """Builds the world, runs the loop, and brings the file to its end, whatever that is. Returns the file."""
     simulated = build(prepared.model)
     recorder = _started(prepared, simulated) if found is None else _resumed(prepared, simulated, found)
@@ -105,15 +109,25 @@ def _simulate(prepared: Prepared, found: Resumable | None, report: Throttle) -> 
         recorder=recorder,
         report=report,
         record_contacts=prepared.scene.spec.record.contacts,
+        onlooker=onlooker,
         step=found.checkpoint.step if found else 0,
     )
+    if onlooker is not None:
+        _tell_who_takes_part(onlooker, prepared)
     with StopRequest() as stop:
         ending = _ending(loop, stop, recorder, prepared.model)
         engine = None if ending.status == "failed" else loop.checkpoint()
         took = loop.wall_time + (found.wall_time if found else 0.0)
         provenance = {"provenance/finished": now(), "provenance/wall_time": took}
         path = recorder.finish(ending.status, ending.detail, engine, loop.step, provenance)
+    if onlooker is not None:
+        onlooker.end(ending.status, ending.detail, path)
     return _kept(path, ending)
+
+
+def _tell_who_takes_part(onlooker: Onlooker, prepared: Prepared) -> None:
+    scene, model, schedule = prepared.scene, prepared.model, prepared.schedule
+    onlooker.begin(scene.title, schedule.steps * schedule.timestep, fixed_values(scene, model))
 
 
 def _started(prepared: Prepared, simulated: Simulated) -> Recorder:
@@ -142,6 +156,7 @@ def _columns(scene: Scene) -> tuple[Column, ...]:
     return recorded(
         name
         for name, wanted in {
+            "geometry": True,
             "energy": spec.record.energy,
             "contacts": spec.record.contacts,
             "joints": spec.record.joints and spec.joints,

@@ -34,11 +34,11 @@ class Color:
         return {"type": "string", "pattern": "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}
 
     def read(self, value: object) -> str:
-        """The colour itself."""
+        """The colour as `#rrggbb`."""
         digits = value[1:] if isinstance(value, str) and value.startswith("#") else ""
         if len(digits) not in (3, 6) or not all(c in "0123456789abcdefABCDEF" for c in digits):
             raise slip("must be a colour", allowed='"#rgb" or "#rrggbb" in hexadecimal digits')
-        return f"#{digits}"
+        return "#" + "".join(c * 2 for c in digits) if len(digits) == 3 else f"#{digits}"
 
 
 class MaterialSpec(Spec):
