@@ -149,7 +149,8 @@ def _solids(value: Callable[[str], Any], bodies: int) -> tuple[Solid, ...]:
     ):
         _check(0 <= body < bodies, f"no body {body}")
         _check(kind in KINDS, f"no kind {kind!r}")
-        _check((kind == "surface") == (0 <= surface < len(surfaces)), f"no surface {surface}")
+        numbers = range(len(surfaces)) if kind == "surface" else (-1,)
+        _check(surface in numbers, f"no surface {surface}")
         _check(all(np.isfinite(part).all() for part in (parameters, position, orientation)), "not finite")
         solids.append(
             Solid(
