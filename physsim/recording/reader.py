@@ -227,9 +227,12 @@ class Trajectory:
             raise NotInFile(f"{self.path}: has no frame {frame}; it has {self.frames} frames")
         return contact_choice.between(self.contact_rows(first, last), body, other)
 
-    def contact_rows(self, first: int, last: int, columns: Iterable[str] | None = None) -> Table:
+    def contact_rows(
+        self, first: int, last: int, columns: Iterable[str] | None = None, *, by_name: bool = True
+    ) -> Table:
         """The contact points of the frames first to last, the last not included; only some columns when
-        named. Raises NotInFile when the run did not record contacts.
+        named. by_name: bodies as names, else as rows of /body, as the file has them (unchecked, and far
+        faster where there are millions). Raises NotInFile when the run did not record contacts.
         """
         self._need_group("contacts")
         wanted = None if columns is None else set(columns)
@@ -240,7 +243,7 @@ class Trajectory:
         ]
         with guarded(self.path):
             start, stop = (int(self._datasets["contacts/offset"][row]) for row in (first, last))
-            return self._rows("contacts", start, stop, leave_out)
+            return self._rows("contacts", start, stop, leave_out, by_name)
 
     @property
     def events(self) -> Table:
@@ -373,7 +376,9 @@ class Trajectory:
         if columns_of(group)[0].path not in self._datasets:
             raise NotInFile(f"{self.path}: {group} not recorded (record: {{{group}: false}} in the scene)")
 
-    def _rows(self, group: str, start: int, stop: int, leave_out: Iterable[str] = ()) -> Table:
+    def _rows(
+        self, group: str, start: int, stop: int, leave_out: Iterable[str] = (), by_name: bool = True
+    ) -> Table:
         rows = {}
         for column in columns_of(group):
             if column.path in leave_out:
@@ -383,5 +388,6 @@ class Trajectory:
                 raise Damaged(f"/{column.path}: is shorter than /{group} says")
             check_memory(self.path, (stop - start) * math.prod(found.shape[1:]) * found.dtype.itemsize)
             data = np.asarray(found[start:stop])
-            rows[column.name] = np.asarray(self.body_names)[data] if column.name in _BODY_ROWS else data
+            named = by_name and column.name in _BODY_ROWS
+            rows[column.name] = np.asarray(self.body_names)[data] if named else data
         return Table(rows)
