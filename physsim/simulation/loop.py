@@ -9,6 +9,7 @@ from typing import Any, Protocol
 from physsim._engine import Diverged, EngineError
 from physsim.recording.layout import Status
 from physsim.simulation.measure import Rows
+from physsim.simulation.onlooker import Onlooker
 from physsim.simulation.progress import Progress, Throttle
 from physsim.simulation.stop import StopRequest
 from physsim.simulation.world import Simulated
@@ -83,6 +84,7 @@ class Loop:
         recorder: Keeping,
         report: Throttle,
         record_contacts: bool,
+        onlooker: Onlooker | None = None,
         step: int = 0,
     ) -> None:
         self.step = step
@@ -92,6 +94,7 @@ class Loop:
         self._recorder = recorder
         self._report = report
         self._record_contacts = record_contacts
+        self._onlooker = onlooker
         self._pace = _Pace()
         self._began = time.monotonic()
 
@@ -165,7 +168,10 @@ class Loop:
     def _record(self) -> None:
         self._collect_events()
         contacts = self._contacts() if self._record_contacts else None
-        self._recorder.append(self.step, self.time, self._measure.frame(self._world), contacts)
+        frame = self._measure.frame(self._world)
+        self._recorder.append(self.step, self.time, frame, contacts)
+        if self._onlooker is not None:
+            self._onlooker.frame(self.step, self.time, frame, contacts)
 
     def _contacts(self) -> Rows:
         """Of the last step; none in frame 0, when no step has been done."""

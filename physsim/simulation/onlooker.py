@@ -1,0 +1,24 @@
+"""Somebody who looks on while a run computes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Protocol
+
+from physsim.recording.layout import Status
+from physsim.simulation.measure import Rows
+
+
+class Onlooker(Protocol):
+    """Is handed what the file is handed. It must return at once, raise nothing and change no array: the run
+    waits for it, and its bits must not depend on it. What it is given is never written to again.
+    """
+
+    def begin(self, title: str, duration: float, fixed: Rows) -> None:
+        """Before the first step. duration: simulated [s]; fixed: datasets that do not grow, by path."""
+
+    def frame(self, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
+        """A frame that was recorded at `time` [s], rows by dataset path; contacts: None when not recorded."""
+
+    def end(self, status: Status, detail: str, file: Path) -> None:
+        """How the run ended, and where its file is."""

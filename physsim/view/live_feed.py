@@ -1,0 +1,157 @@
+"""Hands what a run records to those who watch it, without ever holding it up.
+
+The run leaves the newest frame in a place and goes on. A thread looks there `FRAMES_PER_SECOND` times a
+second and writes what is new down a pipe to a process of its own, which serves the page; when that process is
+slow the thread waits, and the frames between are not seen. The thread works while the engine steps, which
+does so without Python's lock. A thread, and not a pipe that never blocks: a frame may be larger than a pipe, and
+this way is the same on all systems.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import threading
+import time
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from physsim.view import live_process
+from physsim.view.live_wire import Message, encoded
+
+FRAMES_PER_SECOND = 30.0
+# After the end of the run the server hands out what is left, and gives up by itself sooner than this.
+LAST_SECONDS = 10.0
+SECONDS_BETWEEN_LOOKS = 0.2
+
+Rows = Mapping[str, Any]
+_OF_CONTACTS = tuple(f"contacts/{name}" for name in ("body_a", "body_b", "position", "force", "sliding"))
+_NOT_SHOWN = ("provenance/", "pairs/")
+
+
+@dataclass(frozen=True, slots=True)
+class _Frame:
+    number: int
+    step: int
+    time: float
+    rows: Rows
+    contacts: Rows | None
+
+    def message(self) -> Message:
+        shown = {} if self.contacts is None else {path: self.contacts[path] for path in _OF_CONTACTS}
+        return Message(
+            "frame", {"frame": self.number, "step": self.step, "time": self.time}, {**self.rows, **shown}
+        )
+
+
+class Feed:
+    """An onlooker of `physsim.simulation.run`, and the server process behind it; a context to be left.
+
+    announce: called with the page's address when the run begins; says whether a page is on its way there.
+    trouble: called with one line when the server fails; the run goes on. Both are called in another thread.
+    """
+
+    def __init__(
+        self, announce: Callable[[str], bool], trouble: Callable[[str], None], *, port: int = 0
+    ) -> None:
+        """Raises OSError when no process can be started. port: of the page; 0 for any that is free."""
+        self._announce = announce
+        self._trouble = trouble
+        self._opening: Message | None = None
+        self._newest: _Frame | None = None
+        self._ending: Message | None = None
+        self._frames = 0
+        self._begun, self._over = threading.Event(), threading.Event()
+        self._process = live_process.start(port)
+        self._thread = threading.Thread(target=self._carry, name="physsim-watch", daemon=True)
+        self._thread.start()
+
+    def begin(self, title: str, duration: float, fixed: Rows) -> None:
+        """Who takes part. duration: simulated [s]; fixed: datasets that do not grow, by path."""
+        found = {path: np.asarray(value) for path, value in fixed.items() if not path.startswith(_NOT_SHOWN)}
+        texts = {path: array.tolist() for path, array in found.items() if array.dtype.kind in "OU"}
+        numbers = {path: array for path, array in found.items() if path not in texts}
+        self._opening = Message("begin", {"title": title, "duration": duration, "texts": texts}, numbers)
+        self._begun.set()
+
+    def frame(self, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
+        """A recorded frame: seen when it is still the newest the next time that somebody looks."""
+        self._newest = _Frame(self._frames, step, time, rows, contacts)
+        self._frames += 1
+
+    def end(self, status: str, detail: str, file: Path) -> None:
+        """How the run ended; the last frame is always seen."""
+        self._ending = Message("end", {"status": status, "detail": detail, "file": file.name})
+        self._over.set()
+
+    @property
+    def began(self) -> bool:
+        """Whether there is anything to be seen."""
+        return self._opening is not None
+
+    def stay(self) -> None:
+        """Serves what there is until the server ends or a KeyboardInterrupt is raised."""
+        while self._process.poll() is None:
+            time.sleep(SECONDS_BETWEEN_LOOKS)
+
+    def close(self) -> None:
+        """Pages get what is left, for a few seconds at most; then the server is gone."""
+        self._over.set()
+        self._begun.set()
+        try:
+            if self.began:
+                self._say_goodbye()
+        except (subprocess.TimeoutExpired, KeyboardInterrupt):
+            pass
+        finally:
+            self._process.kill()
+            self._process.wait()
+            self._thread.join()
+            self._hang_up()
+
+    def _say_goodbye(self) -> None:
+        """The server leaves when its pipe ends, which must not be closed while the thread writes."""
+        self._thread.join(LAST_SECONDS)
+        if not self._thread.is_alive():
+            self._hang_up()
+            self._process.wait(LAST_SECONDS)
+
+    def _hang_up(self) -> None:
+        for pipe in (self._process.stdin, self._process.stdout):
+            assert pipe is not None
+            with suppress(OSError):
+                pipe.close()
+
+    def _carry(self) -> None:
+        """The thread: everything that is told, in order."""
+        try:
+            address = live_process.address(self._process)
+            self._begun.wait()
+            if self._opening is not None:
+                self._send(self._opening, on_its_way=self._announce(address))
+                self._send_frames()
+        except BrokenPipeError:
+            self._trouble("the server of the page has ended")
+        except (OSError, ValueError) as error:
+            self._trouble(str(error))
+
+    def _send_frames(self) -> None:
+        sent = None
+        over = False
+        while not over:
+            over = self._over.wait(1 / FRAMES_PER_SECOND)
+            newest = self._newest
+            if newest is not None and newest is not sent:
+                self._send(newest.message())
+                sent = newest
+        if self._ending is not None:
+            self._send(self._ending)
+
+    def _send(self, message: Message, **more: Any) -> None:
+        assert self._process.stdin is not None
+        self._process.stdin.write(encoded(Message(message.kind, {**message.facts, **more}, message.arrays)))
+        self._process.stdin.flush()
