@@ -3,28 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
+from physsim.batch.document import Document
 from physsim.batch.fit_data import Floats, NoColumn, Source, open_data
 from physsim.batch.fit_spec import DataSpec, FitSpec, FreeSpec, unit_of
 from physsim.batch.spec.values import unit_text
-from physsim.errors import FileTrouble, PathPart, Problem, SceneError
-from physsim.scene import Original, Scene, nodes, original
-from physsim.scene.parameters import Parameters
-from physsim.scene.place import Places
-from physsim.scene.problems import told_in_order
+from physsim.errors import FileTrouble, PathPart, Problem
+from physsim.scene import Original, Scene
 from physsim.scene.quantity import Quantity
-from physsim.scene.source import read_source
-from physsim.scene.spec.reading import Reading
-from physsim.scene.translate import Translator
 from physsim.scene.units import PLAIN, same
-from physsim.scene.yaml_reader import read_yaml
 
 Changes = dict[str, Any]
 
@@ -82,84 +75,45 @@ def load_fit(path: str | PathLike[str]) -> Fit:
     Raises FileTrouble when the fit file cannot be read, SceneError with every problem when the fit, its data,
     or the scene is not valid.
     """
-    file = Path(path)
-    text = read_source(file)
-    document = read_yaml(text)
-    problems = [Places(None, text).with_source(problem) for problem in document.problems]
-    if not isinstance(document.root, nodes.Mapping):
-        problems = problems or [Problem((), "a fit must be a mapping (key: value)", line=1, column=1)]
-        raise SceneError(told_in_order(problems), str(path))
-    return _Loader(str(path), file.parent, document.root, Places(document.root, text), problems).fit()
+    return _Loader(Document.read(Path(path), "a fit")).fit()
 
 
 class _Loader:
     """One fit on its way from nodes to its spec."""
 
-    def __init__(
-        self, name: str, folder: Path, root: nodes.Mapping, places: Places, problems: list[Problem]
-    ) -> None:
-        self.name, self.folder, self.root = name, folder, root
-        self.places, self.problems = places, problems
+    def __init__(self, document: Document) -> None:
+        self.document = document
 
     def fit(self) -> Fit:
         """Raises SceneError with everything that was found."""
-        data: Any = nodes.plain(self.root)
-        base = self._base(data)
-        scene = self._scene(base, data) if base is not None else None
-        spec = self._spec(data, scene)
+        document = self.document
+        base = document.base()
+        scene = self._scene(base) if base is not None else None
+        spec = document.spec(FitSpec, scene)
         experiments: list[Experiment] = []
         if spec is not None and base is not None and scene is not None:
             experiments = [
                 one for k in range(len(spec.data)) if (one := self._experiment(spec, base, k)) is not None
             ]
-        if self.problems or spec is None or base is None:
-            raise SceneError(told_in_order(self.problems), self.name)
+        document.raise_what_was_found()
+        assert spec is not None
+        assert base is not None
         free = tuple(_free(path, value) for path, value in spec.parameters.items())
-        return Fit(spec, self.name, base, free, tuple(experiments))
+        return Fit(spec, document.name, base, free, tuple(experiments))
 
     def _tell(self, path: tuple[PathPart, ...], message: str, hint: str | None = None) -> None:
-        self.problems.append(self.places.place(Problem(path, message, hint=hint)))
+        self.document.tell(Problem(path, message, hint=hint))
 
-    def _base(self, data: Any) -> Original | None:
-        name = data.get("scene")
-        if not isinstance(name, str):
-            return None
-        try:
-            return original(self.folder / name)
-        except FileTrouble as trouble:
-            self._tell(("scene",), str(trouble).removeprefix(f"{self.folder / name}: "))
-            return None
-
-    def _scene(self, base: Original, data: Any) -> Scene | None:
+    def _scene(self, base: Original) -> Scene | None:
         """The scene without what is sought; a SceneError of the scene itself is raised as it is."""
-        shared = data.get("set")
-        return self._changed(
-            base, shared if isinstance(shared, dict) else {}, {path: ("set", path) for path in shared or ()}
-        )
-
-    def _spec(self, data: Any, scene: Scene | None) -> FitSpec | None:
-        types = {} if scene is None else {name: joint.type for name, joint in scene.spec.joints.items()}
-        reading = Reading(Parameters({}), types)
-        try:
-            return FitSpec.model_validate(data, context=reading)
-        except ValidationError as error:
-            self.problems += Translator(self.root, data, reading, self.places).problems(error)
-            return None
+        changes = self.document.shared_changes()
+        return self._changed(base, changes, {path: ("set", path) for path in changes})
 
     def _changed(
         self, base: Original, changes: Changes, places: dict[str, tuple[PathPart, ...]]
     ) -> Scene | None:
-        """The scene with changes; problems of a change are told at its place in the fit, the scene's own are
-        raised. What the scene expects of its own run is left out.
-        """
-        try:
-            return base.scene({**changes, "expect": []})
-        except SceneError as error:
-            mine = [_moved(problem, places) for problem in error.problems]
-            if None in mine:
-                raise
-            self.problems += [self.places.place(problem) for problem in mine if problem is not None]
-            return None
+        """The scene with changes, as `Document.changed`; what it expects of its own run is left out."""
+        return self.document.changed(base, {**changes, "expect": []}, places)
 
     def _experiment(self, spec: FitSpec, base: Original, k: int) -> Experiment | None:
         """One entry of `data`, read; None when something is wrong with it, which is told."""
@@ -175,9 +129,11 @@ class _Loader:
         for path, trouble in _unknown(data, scene):
             self._tell(("data", k, "quantities", path), trouble)
         try:
-            source = open_data(self.folder / data.file)
+            source = open_data(self.document.folder / data.file)
         except FileTrouble as trouble:
-            self._tell(("data", k, "file"), str(trouble).removeprefix(f"{self.folder / data.file}: "))
+            self._tell(
+                ("data", k, "file"), str(trouble).removeprefix(f"{self.document.folder / data.file}: ")
+            )
             return None
         measured = self._measured(data, source, k, float(scene.spec.simulation.duration))
         return Experiment(data.file, changes, tuple(measured))
@@ -229,14 +185,6 @@ def _free(path: str, spec: FreeSpec) -> Free:
 def _written(value: float, free: FreeSpec) -> Any:
     """The value with its unit, so that the scene checks the dimension."""
     return value if same(free.dimension, PLAIN) else f"{value!r} {unit_text(free.dimension)}"
-
-
-def _moved(problem: Problem, places: dict[str, tuple[PathPart, ...]]) -> Problem | None:
-    """The problem of an override at the place where the fit says it; None when it is the scene's own."""
-    for path, place in places.items():
-        if problem.line is None and (problem.source_line or "").startswith(f"--set {path}="[:80]):
-            return replace(problem, path=place, source_line=None)
-    return None
 
 
 def _unknown(data: DataSpec, scene: Scene) -> list[tuple[str, str]]:

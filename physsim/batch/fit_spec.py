@@ -15,21 +15,12 @@ from physsim.scene.spec.reading import reading_of
 from physsim.scene.spec.schema_generator import SchemaGenerator
 from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Number, Text, Whole
+from physsim.scene.spec.version import Version
 from physsim.scene.units import Dimension, Unit, UnitError, fits, parse_unit, same
 
 LANGUAGE_VERSION = 1
 MOST_FREE = 50
 MOST_FILES = 1000
-
-
-class Version(Whole):
-    """The version of the fit language, which must be one that is known."""
-
-    def read(self, value: object, info: Any) -> int:
-        """The version itself."""
-        if type(value) is not int or value != LANGUAGE_VERSION:
-            raise slip("is a version of the fit language that is not known", allowed=str(LANGUAGE_VERSION))
-        return value
 
 
 class UnitText(Text):
@@ -157,7 +148,9 @@ class FitSpec(Spec):
     schema_: Annotated[str, Text(1000)] | None = Field(
         default=None, alias="$schema", description="Where the schema is, for editors; has no effect."
     )
-    physsim_fit: Annotated[int, Version(1, 1)] = Field(description="Version of the fit language: 1.")
+    physsim_fit: Annotated[int, Version("fit", LANGUAGE_VERSION)] = Field(
+        description="Version of the fit language: 1."
+    )
     title: Annotated[str, Text(200, empty=True)] = Field(
         default="", description="What is fitted, on one line."
     )

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import physsim
 from physsim.batch.table import columns_of
 from physsim.errors import FileTrouble
+from physsim.recording.whole_file import written
 from physsim.simulation.about import now, versions
 
 if TYPE_CHECKING:
@@ -65,13 +66,8 @@ def ended(manifest: dict[str, Any], status: str, results: list[Result], wall_tim
 
 def write(folder: Path, manifest: dict[str, Any]) -> None:
     """Raises FileTrouble."""
-    path = folder / NAME
-    part = path.with_name(NAME + ".part")
-    try:
-        part.write_text(json.dumps(manifest, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
-        part.replace(path)
-    except OSError as error:
-        raise FileTrouble(f"{path}: cannot be written: {error.strerror}") from None
+    text = json.dumps(manifest, indent=2, ensure_ascii=False) + "\n"
+    written(folder / NAME, text.encode())
 
 
 def read(folder: Path) -> dict[str, Any] | None:

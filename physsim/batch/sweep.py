@@ -25,6 +25,7 @@ from physsim.batch.table import Table, table_of, write_tables
 from physsim.batch.workshop import COMPLETE, Result
 from physsim.errors import FileTrouble, Problem
 from physsim.model import compile_scene
+from physsim.recording.whole_file import written
 from physsim.simulation import Interrupted
 from physsim.simulation.stop import StopRequest
 
@@ -188,7 +189,7 @@ class _Conductor:
             backlog.done(answer.block, answer.results)
             results = answer.results
         for name, data in answer.files.items():
-            _write(self._folder / name, data)
+            written(self._folder / name, data)
         self._journal.append(results)
         self._done += len(results)
         self._failed += sum(result.status != COMPLETE for result in results)
@@ -262,15 +263,6 @@ def _clear(folder: Path) -> None:
         (folder / name).unlink(missing_ok=True)
     shutil.rmtree(folder / RUNS)
     (folder / RUNS).mkdir()
-
-
-def _write(path: Path, data: bytes) -> None:
-    part = path.with_name(path.name + ".part")
-    try:
-        part.write_bytes(data)
-        part.replace(path)
-    except OSError as error:
-        raise FileTrouble(f"{path}: cannot be written: {error.strerror}") from None
 
 
 def _cores() -> int:

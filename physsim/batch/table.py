@@ -19,7 +19,7 @@ from physsim.batch.design import Design, Run
 from physsim.batch.spec import SweepSpec
 from physsim.batch.spec.metrics import CrossingMetric, ImpactsMetric
 from physsim.batch.workshop import Result
-from physsim.errors import FileTrouble
+from physsim.recording.whole_file import written
 
 Role = Literal["identity", "input", "metric", "outcome"]
 _TIMES = ("time_of_min", "time_of_max", "first_contact", "rest_time")
@@ -100,9 +100,9 @@ def _unit(metric: Any) -> str:
 
 def write_tables(table: Table, folder: Path) -> list[Path]:
     """`table.csv`, and `table.parquet` when pyarrow is there. Each takes its name when it is whole."""
-    files = [_published(folder / "table.csv", as_csv(table).encode())]
+    files = [written(folder / "table.csv", as_csv(table).encode())]
     if importlib.util.find_spec("pyarrow") is not None:
-        files.append(_published(folder / "table.parquet", as_parquet(table)))
+        files.append(written(folder / "table.parquet", as_parquet(table)))
     return files
 
 
@@ -136,13 +136,3 @@ def as_parquet(table: Table) -> bytes:
     sink = io.BytesIO()
     pq.write_table(pa.Table.from_arrays(arrays, schema=pa.schema(fields)), sink)
     return sink.getvalue()
-
-
-def _published(path: Path, data: bytes) -> Path:
-    part = path.with_name(path.name + ".part")
-    try:
-        part.write_bytes(data)
-        part.replace(path)
-    except OSError as error:
-        raise FileTrouble(f"{path}: cannot be written: {error.strerror}") from None
-    return path

@@ -35,3 +35,10 @@ def whole_file(path: Path) -> Iterator[Path]:
     except BaseException:
         part.unlink(missing_ok=True)
         raise
+
+
+def written(path: Path, data: bytes) -> Path:
+    """`path`, with `data` in it. Raises FileTrouble when it cannot be written."""
+    with whole_file(path) as part:
+        part.write_bytes(data)
+    return path

@@ -11,22 +11,12 @@ from physsim.batch.spec.metrics import MetricSpec
 from physsim.batch.spec.values import ColumnName, ScenePath, Written
 from physsim.scene.spec.base import Spec
 from physsim.scene.spec.schema_generator import SchemaGenerator
-from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Switch, Text, Whole
+from physsim.scene.spec.version import Version
 
 LANGUAGE_VERSION = 1
 FIXED_COLUMNS = ("run", "replicate", "status", "error", "expectations_failed", "file", "wall_time")
 MOST_AXES = 100
-
-
-class Version(Whole):
-    """The version of the sweep language, which must be one that is known."""
-
-    def read(self, value: object, info: Any) -> int:
-        """The version itself."""
-        if type(value) is not int or value != LANGUAGE_VERSION:
-            raise slip("is a version of the sweep language that is not known", allowed=str(LANGUAGE_VERSION))
-        return value
 
 
 class SampleSpec(Spec):
@@ -52,7 +42,9 @@ class SweepSpec(Spec):
     schema_: Annotated[str, Text(1000)] | None = Field(
         default=None, alias="$schema", description="Where the schema is, for editors; has no effect."
     )
-    physsim_sweep: Annotated[int, Version(1, 1)] = Field(description="Version of the sweep language: 1.")
+    physsim_sweep: Annotated[int, Version("sweep", LANGUAGE_VERSION)] = Field(
+        description="Version of the sweep language: 1."
+    )
     title: Annotated[str, Text(200, empty=True)] = Field(
         default="", description="What the sweep is for, on one line."
     )

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationInfo
-from pydantic_core import core_schema
+from pydantic import ValidationInfo
 
 from physsim.scene.spec import kinds
+from physsim.scene.spec.reader import ContextReader, Reader, Schema
 from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Bounds, Text, measure, number_schema, within
 from physsim.scene.units import PLAIN, Dimension, Measure, same
@@ -17,17 +17,10 @@ LONGEST_NAME = 60
 _SI = ("kg", "m", "s", "rad")
 
 
-class AnyMeasure:
+class AnyMeasure(ContextReader):
     """A number with any unit, or none; after validation a `Measure` in SI."""
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.with_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def schema(self) -> Schema:
         return number_schema(kinds.ANYTHING, Bounds())
 
     def read(self, value: object, info: ValidationInfo) -> Measure:
@@ -38,17 +31,10 @@ class AnyMeasure:
 
 
 @dataclass(frozen=True)
-class AnyValue:
+class AnyValue(Reader):
     """Whatever may stand in a scene; it is judged there."""
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def schema(self) -> Schema:
         return {}
 
     def read(self, value: object) -> object:

@@ -7,17 +7,15 @@ from typing import Annotated, Any, Literal
 
 from pydantic import (
     Field,
-    GetCoreSchemaHandler,
-    GetJsonSchemaHandler,
     PrivateAttr,
     ValidationInfo,
     model_validator,
 )
-from pydantic_core import core_schema
 
 from physsim.scene.quantity import Quantity, QuantityError, parse_quantity
 from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
+from physsim.scene.spec.reader import ContextReader, Schema
 from physsim.scene.spec.reading import reading_of
 from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Bounds, Number, Text, in_kind, measure, number_schema, within
@@ -43,19 +41,12 @@ class QuantityText(Text):
 
 
 @dataclass(frozen=True)
-class OfQuantity:
+class OfQuantity(ContextReader):
     """A number in the unit of the entry's `quantity`, which stands before it in the model."""
 
     at_least: float | None = None
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.with_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def schema(self) -> Schema:
         return number_schema(kinds.ANYTHING, Bounds(at_least=self.at_least))
 
     def read(self, value: object, info: ValidationInfo) -> float:
@@ -72,10 +63,8 @@ class Moment(Number):
         """The time in seconds, or `end`."""
         return END if value == END else super().read(value, info)
 
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
-        return {"anyOf": [{"const": END}, *super().__get_pydantic_json_schema__(core, handler)["anyOf"]]}
+    def schema(self) -> Schema:
+        return {"anyOf": [{"const": END}, *super().schema()["anyOf"]]}
 
 
 class ExpectSpec(Spec):

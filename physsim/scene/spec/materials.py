@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
-from pydantic_core import core_schema
+from pydantic import Field
 
 from physsim.scene.spec import kinds
 from physsim.scene.spec.base import Spec
 from physsim.scene.spec.names import ItemName
+from physsim.scene.spec.reader import Reader, Schema
 from physsim.scene.spec.slip import slip
 from physsim.scene.spec.values import Number
 
@@ -20,17 +20,10 @@ Density = Annotated[float, Number(kinds.DENSITY, above=0)]
 MixingRule = Literal["minimum", "maximum", "mean", "geometric_mean", "harmonic_mean", "product", "error"]
 
 
-class Color:
+class Color(Reader):
     """A colour as `#rgb` or `#rrggbb`."""
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def schema(self) -> Schema:
         return {"type": "string", "pattern": "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}
 
     def read(self, value: object) -> str:

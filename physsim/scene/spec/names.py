@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler
-from pydantic_core import core_schema
+from pydantic import Field
 
+from physsim.scene.spec.reader import Reader, Schema
 from physsim.scene.spec.schema_rules import ALL_DIFFERENT
 from physsim.scene.spec.slip import slip
 
@@ -16,7 +16,7 @@ LONGEST = 100
 
 
 @dataclass(frozen=True)
-class Name:
+class Name(Reader):
     """A name: 1 to 100 printable characters, no blank at either end, no `*`; `world` is taken for bodies.
 
     pattern: whether `*` may stand for any characters.
@@ -25,14 +25,7 @@ class Name:
     reserved: tuple[str, ...] = ()
     pattern: bool = False
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def schema(self) -> Schema:
         refused: list[dict[str, Any]] = [] if self.pattern else [{"pattern": r"\*"}]
         refused.append({"enum": list(self.reserved)})
         return {"type": "string", "minLength": 1, "maxLength": LONGEST, "not": {"anyOf": refused}}

@@ -9,11 +9,8 @@ from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
-    GetCoreSchemaHandler,
-    GetJsonSchemaHandler,
     ValidationInfo,
 )
-from pydantic_core import core_schema
 
 from physsim.scene.expressions import FUNCTIONS
 from physsim.scene.grammar import ExpressionError
@@ -26,6 +23,7 @@ from physsim.scene.spec.forces import ForceSpec
 from physsim.scene.spec.joints import JointSpec
 from physsim.scene.spec.materials import MaterialSpec, MixingSpec, PairSpec
 from physsim.scene.spec.names import BodyName, ItemName
+from physsim.scene.spec.reader import ContextReader, Reader, Schema
 from physsim.scene.spec.reading import reading_of
 from physsim.scene.spec.record import RecordSpec
 from physsim.scene.spec.schema_generator import SchemaGenerator
@@ -33,30 +31,11 @@ from physsim.scene.spec.simulation import SimulationSpec
 from physsim.scene.spec.slip import silent, slip
 from physsim.scene.spec.springs import SpringSpec
 from physsim.scene.spec.values import Bounds, Text, number_schema, within
+from physsim.scene.spec.version import Version
 from physsim.scene.spec.world import WorldSpec
 from physsim.scene.units import UnitError
 
 LANGUAGE_VERSION = 1
-
-
-class Version:
-    """The version of the scene language, which must be one that is known."""
-
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
-        return {"const": LANGUAGE_VERSION}
-
-    def read(self, value: object) -> int:
-        """The version itself."""
-        if type(value) is not int or value != LANGUAGE_VERSION:
-            raise slip("is a version of the scene language that is not known", allowed=str(LANGUAGE_VERSION))
-        return value
 
 
 @dataclass(frozen=True)
@@ -66,17 +45,10 @@ class _Named:
     name: str
 
 
-class ParameterName:
+class ParameterName(Reader):
     """A word that can stand in an expression: letters, digits, underscores, no digit first, no function."""
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def schema(self) -> Schema:
         refused = [{"enum": sorted(FUNCTIONS)}, {"pattern": r"^[0-9]|[-\s+*/^()\[\]{},.$]"}]
         return {"type": "string", "minLength": 1, "maxLength": 60, "not": {"anyOf": refused}}
 
@@ -89,17 +61,10 @@ class ParameterName:
         return value
 
 
-class ParameterValue:
+class ParameterValue(ContextReader):
     """Any number, with any unit, or an expression of other parameters; in SI after validation."""
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.with_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> dict[str, Any]:
+    def schema(self) -> Schema:
         return number_schema(kinds.ANYTHING, Bounds())
 
     def read(self, value: _Named, info: ValidationInfo) -> float:
@@ -131,7 +96,9 @@ class SceneSpec(Spec):
     schema_: Annotated[str, Text(1000)] | None = Field(
         default=None, alias="$schema", description="Where the schema is, for editors; has no effect."
     )
-    physsim: Annotated[int, Version()] = Field(description="Version of the scene language: 1.")
+    physsim: Annotated[int, Version("scene", LANGUAGE_VERSION)] = Field(
+        description="Version of the scene language: 1."
+    )
     title: Annotated[str, Text(200, empty=True)] = Field(
         default="", description="What the scene shows, on one line."
     )

@@ -19,13 +19,13 @@ from physsim.scene.grammar import ExpressionError
 from physsim.scene.parameters import BrokenParameter, measured
 from physsim.scene.spec import kinds
 from physsim.scene.spec.kinds import Kind
+from physsim.scene.spec.reader import ContextReader, Reader, Schema
 from physsim.scene.spec.reading import reading_of
 from physsim.scene.spec.slip import silent, slip
 from physsim.scene.units import PLAIN, UnitError, dimension_text, fits, same, without_angle
 
 _NUMBER_PATTERN = r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
 _EXPRESSION_PATTERN = r"\s*\$\{[^{}]*\}"
-Schema = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class Bounds:
 
 
 @dataclass(frozen=True)
-class Number:
+class Number(ContextReader):
     """A physical value of one kind within bounds."""
 
     kind: Kind = kinds.NUMBER
@@ -79,14 +79,7 @@ class Number:
         """The bounds, in SI."""
         return Bounds(self.above, self.at_least, self.below, self.at_most)
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.with_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> Schema:
+    def schema(self) -> Schema:
         return number_schema(self.kind, self.bounds)
 
     def read(self, value: object, info: ValidationInfo) -> float:
@@ -148,20 +141,13 @@ def number_schema(kind: Kind, bounds: Bounds) -> Schema:
 
 
 @dataclass(frozen=True)
-class Whole:
+class Whole(ContextReader):
     """A whole number within bounds (included); an expression may give it."""
 
     at_least: int
     at_most: int
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.with_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> Schema:
+    def schema(self) -> Schema:
         whole = {"type": "integer", "minimum": self.at_least, "maximum": self.at_most}
         return {
             "title": f"whole number {self.at_least} to {self.at_most}",
@@ -190,33 +176,22 @@ def _switch(value: object) -> bool:
     raise slip("must be true or false", hint=hint.get(str(value).lower()))
 
 
-class _SwitchType:
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(_switch)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> Schema:
+class _SwitchType(Reader):
+    def schema(self) -> Schema:
         return {"type": "boolean"}
+
+    def read(self, value: object) -> bool:
+        return _switch(value)
 
 
 @dataclass(frozen=True)
-class Text:
+class Text(Reader):
     """A text of bounded length on one line; `empty` tells whether it may be empty."""
 
     longest: int = 200
     empty: bool = False
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> core_schema.CoreSchema:
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(
-        self, core: core_schema.CoreSchema, handler: GetJsonSchemaHandler
-    ) -> Schema:
+    def schema(self) -> Schema:
         return {"type": "string", "maxLength": self.longest, **({} if self.empty else {"minLength": 1})}
 
     def read(self, value: object) -> str:
