@@ -11,11 +11,12 @@ from click.core import ParameterSource
 
 from physsim.cli import output
 from physsim.cli.export_format import Format, Order
+from physsim.cli.export_glb import GLB
 from physsim.cli.export_table import TABLE
 from physsim.cli.verb import Verb, debug_option
 
-FORMATS = (TABLE,)
-LATER = ("glb", "mp4", "gif", "png", "html")
+FORMATS = (TABLE, GLB)
+LATER = ("mp4", "gif", "png", "html")
 NAMES = tuple(name for format in FORMATS for name in format.names)
 
 
@@ -89,6 +90,9 @@ def command(
     csv, parquet: a table, written block by block, so that a file of any size needs little memory. All values
     are SI; numbers in CSV are written in the fewest digits that give the same bits back. Columns of Parquet
     carry their units.
+
+    glb: binary glTF 2.0 for Blender, model viewers and game engines: bodies, materials and their motion, in
+    metres and seconds. Key frames that straight lines and arcs between the others reproduce are left out.
     """
     format = format_named(name)
     refuse_foreign(ctx, format, name)

@@ -160,7 +160,9 @@ def test_memory_is_that_of_a_block(tmp_path: Path) -> None:
     ("arguments", "code", "told"),
     [
         (["none.h5", "--to", "csv"], 3, "none.h5: no such file"),
-        (["RUN", "--to", "glb"], 2, "--to glb: not supported yet; this version writes csv and parquet"),
+        (["RUN", "--to", "glb", "--rows", "long"], 2, "--rows is for --to csv and parquet, not for --to glb"),
+        (["RUN", "energy.total", "--to", "glb"], 2, "--to glb shows the whole scene"),
+        (["RUN", "--to", "csv", "--fps", "30"], 2, "--fps is for --to "),
         (["RUN", "--to", "xls"], 2, "'xls' is not one of"),
         (["RUN"], 2, "Missing option '--to'"),
         (["RUN", "--to", "csv", "-o", "there.csv"], 3, "exists already; --force replaces it"),

@@ -1,0 +1,139 @@
+"""A trajectory as one animated binary glTF file, for Blender, model viewers and game engines.
+
+Metres, seconds, y up; a node for each body under its name. Khronos Group, "glTF 2.0 Specification" (2021).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from itertools import product
+from pathlib import Path
+from tempfile import TemporaryFile
+from typing import Any
+
+import numpy as np
+
+import physsim
+from physsim.recording import Trajectory
+from physsim.recording.whole_file import whole_file
+from physsim.view.clip import Clip, clip_of
+from physsim.view.extent import bounds, radii
+from physsim.view.glb_file import Binary, write_glb
+from physsim.view.gltf_camera import with_camera
+from physsim.view.gltf_motion import animate, precision
+from physsim.view.gltf_stage import Figures, body_nodes, shapes
+from physsim.view.stage import FloatArray, Stage, stage_of
+from physsim.view.tessellate import Placed, tessellated
+
+FINENESS, FINENESS_OF_MANY, MANY = 48, 24, 200
+"""Segments around a circle, of few solids and of more than 200."""
+RELATIVE_TOLERANCE = 1e-3
+"""Of the radius of the smallest body that moves: half a pixel where that is drawn 1000 pixels wide."""
+ROUNDING = 2.0**-24
+"""Of a number in 32 bits, relative."""
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """start, end: of the part to write [s]; fps: poses a second, None: the frames of the file; tolerance [m]:
+    how far any point may be off at any frame, None: 1e-3 of the radius of the smallest body that moves;
+    camera: whether to add a camera that sees everything, and a sun.
+    """
+
+    start: float | None = None
+    end: float | None = None
+    fps: float | None = None
+    tolerance: float | None = None
+    camera: bool = False
+
+
+@dataclass(frozen=True)
+class Written:
+    """What became of a trajectory. kept of samples: how many key frames the poses of moving bodies became;
+    tolerance, rounding [m]: how far a point may be off by that, and by numbers of 32 bits.
+    """
+
+    size: int
+    bodies: int
+    instants: int
+    samples: int
+    kept: int
+    tolerance: float
+    rounding: float
+
+
+def write_gltf(trajectory: Trajectory, path: Path, wishes: Wishes) -> Written:
+    """Writes `path`, which takes its name when it is whole.
+
+    Raises FileTrouble when the trajectory keeps no shapes or has no frames there, or the file cannot be
+    written.
+    """
+    stage = stage_of(trajectory)
+    stage = replace(stage, solids=tuple(solid for solid in stage.solids if solid.shown))
+    clip = clip_of(trajectory, wishes.start, wishes.end, wishes.fps)
+    with whole_file(path) as part, TemporaryFile(dir=path.parent) as chunk:
+        return _write(part, stage, clip, wishes, Binary(chunk))
+
+
+def _write(path: Path, stage: Stage, clip: Clip, wishes: Wishes, binary: Binary) -> Written:
+    meshes, placed = tessellated(stage, FINENESS if len(stage.solids) <= MANY else FINENESS_OF_MANY, 1.0)
+    around = radii(stage, meshes, placed)
+    low, high = bounds(clip, around)
+    everyone = np.arange(len(stage.actors))
+    _, positions, orientations = next(Clip(clip.trajectory, clip.times[:1]).blocks(everyone))
+    wide = on_ground(stage, placed, positions[0], low, high)
+    figures = Figures(shapes(meshes, binary))
+    bodies, parts = body_nodes(stage, wide, figures, positions[0], orientations[0])
+    movers = np.flatnonzero([not actor.fixed for actor in stage.actors])
+    tolerance = default_tolerance(around[movers]) if wishes.tolerance is None else wishes.tolerance
+    motion = animate(clip, movers, precision(tolerance, around[movers]), binary, path.parent)
+    document = with_root(stage, clip, bodies, parts, tolerance) | figures.document() | motion.document()
+    size = write_glb(path, with_camera(document, low, high) if wishes.camera else document, binary)
+    largest = float(np.abs([low, high]).max())
+    return Written(
+        size, len(bodies), len(clip.times), motion.samples, motion.kept, tolerance, largest * ROUNDING
+    )
+
+
+def default_tolerance(around: FloatArray) -> float:
+    """[m] for movers of these radii (R) [m]; a millimetre where none has any size."""
+    return RELATIVE_TOLERANCE * float(np.min(around[around > 0], initial=1.0))
+
+
+def on_ground(
+    stage: Stage, placed: Sequence[Placed], positions: FloatArray, low: FloatArray, high: FloatArray
+) -> list[Placed]:
+    """With half-spaces wide enough to reach under everything between the corners `low` and `high`."""
+    corners = np.array([[x, y, z] for x, y, z in product(*np.stack([low, high], axis=1))])
+    wide = []
+    for one in placed:
+        solid = stage.solids[one.solid]
+        if solid.kind == "halfspace":
+            reach = np.linalg.norm(corners - positions[solid.body], axis=1).max()
+            wide.append(replace(one, scale=one.scale * [reach, reach, 1.0]))
+        else:
+            wide.append(one)
+    return wide
+
+
+def with_root(
+    stage: Stage, clip: Clip, bodies: list[dict[str, Any]], parts: list[dict[str, Any]], tolerance: float
+) -> dict[str, Any]:
+    """The document of the nodes, bodies first, under one node with the title."""
+    title = stage.title or clip.trajectory.path.stem
+    root = {"name": title, "children": list(range(len(bodies)))}
+    version = clip.trajectory.physsim_version
+    facts = {
+        "title": stage.title,
+        "physsim_version": version,
+        "start": float(clip.times[0]),
+        "end": float(clip.times[-1]),
+        "tolerance": tolerance,
+    }
+    return {
+        "asset": {"version": "2.0", "generator": f"physsim {physsim.__version__}", "extras": facts},
+        "scene": 0,
+        "scenes": [{"name": title, "nodes": [len(bodies) + len(parts)]}],
+        "nodes": [*bodies, *parts, root],
+    }

@@ -1,0 +1,62 @@
+"""A camera that sees everything, and a sun: for programs that show a glTF file as it is.
+
+Both look along -z of their nodes in glTF, which is y in the axes of a scene.
+"""
+
+from __future__ import annotations
+
+from math import asin, atan2, cos, sin
+from typing import Any
+
+import numpy as np
+
+from physsim.view.gltf_stage import pose
+from physsim.view.stage import FloatArray
+
+VIEW = np.array([0.5, -0.8, 0.4])
+"""From the middle of the scene to the camera: from the front, a little from the right and above."""
+SUNLIGHT = np.array([0.3, -0.5, 1.0])
+FIELD_OF_VIEW = 0.7  # rad, from top to bottom
+LUX = 3.0
+"""What glTF players without a camera's exposure show as daylight; 100 000 lx would be white to them."""
+
+
+def with_camera(document: dict[str, Any], low: FloatArray, high: FloatArray) -> dict[str, Any]:
+    """The document with both, for what is between the corners `low` and `high` (3) [m].
+
+    Light: extension KHR_lights_punctual.
+    """
+    middle, radius = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
+    away = radius / sin(FIELD_OF_VIEW / 2)
+    eye = middle + VIEW / np.linalg.norm(VIEW) * away
+    root = document["nodes"][-1]
+    first = len(document["nodes"])
+    camera = pose(eye, looking_from(VIEW)) | {"name": "camera", "camera": 0}
+    sun = pose(np.zeros(3), looking_from(SUNLIGHT)) | {
+        "name": "sun",
+        "extensions": {"KHR_lights_punctual": {"light": 0}},
+    }
+    lens = {"yfov": FIELD_OF_VIEW, "znear": away / 1000, "zfar": away * 1000}
+    light = {"name": "sun", "type": "directional", "intensity": LUX}
+    return document | {
+        "extensionsUsed": ["KHR_lights_punctual"],
+        "extensions": {"KHR_lights_punctual": {"lights": [light]}},
+        "cameras": [{"name": "camera", "type": "perspective", "perspective": lens}],
+        "nodes": [
+            *document["nodes"][:-1],
+            root | {"children": [*root["children"], first, first + 1]},
+            camera,
+            sun,
+        ],
+    }
+
+
+def looking_from(away: FloatArray) -> FloatArray:
+    """The orientation (4) of what looks along its y axis against `away` (3), its z axis up: a turn about z,
+    and before it one about x.
+    """
+    ahead = -away / np.linalg.norm(away)
+    yaw, pitch = atan2(-ahead[0], ahead[1]) / 2, asin(ahead[2]) / 2
+    return np.array(
+        [cos(yaw) * cos(pitch), cos(yaw) * sin(pitch), sin(yaw) * sin(pitch), sin(yaw) * cos(pitch)]
+    )
