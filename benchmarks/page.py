@@ -18,6 +18,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
+import numpy as np
+
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "view"))
 
 from view_chromium import PATIENCE, find_browser, started
@@ -29,35 +31,29 @@ WARM_UP = 5.0
 """Seconds of playing before it is measured: the page finds out what the machine can draw."""
 MEASURED = 5.0
 
-FREE_FLIGHT = """\
+HEAD = """\
 physsim: 1
 title: {title}
-world: {{gravity: [0, 0, -0.5]}}
-simulation: {{duration: 10 s, timestep: 10 ms}}
+world: {{gravity: [0, 0, {gravity}]}}
+simulation: {{duration: 10 s, timestep: 5 ms, iterations: 20}}
 bodies:
-{bodies}"""
-FLYING = """\
-  {name}:
-    repeat: {{count: {count}, spacing: [30 cm, 30 cm, 30 cm]}}
+  floor: {{fixed: true, shape: {{type: halfspace, normal: [0, 0, 1]}}, material: concrete}}
+"""
+WALLS = """\
+  ceiling: {fixed: true, shape: {type: halfspace, normal: [0, 0, -1], offset: -6 m}, material: concrete}
+  west: {fixed: true, shape: {type: halfspace, normal: [1, 0, 0], offset: -3 m}, material: concrete}
+  east: {fixed: true, shape: {type: halfspace, normal: [-1, 0, 0], offset: -3 m}, material: concrete}
+  south: {fixed: true, shape: {type: halfspace, normal: [0, 1, 0], offset: -3 m}, material: concrete}
+  north: {fixed: true, shape: {type: halfspace, normal: [0, -1, 0], offset: -3 m}, material: concrete}
+"""
+BODY = """\
+  {kind}_{number}:
     shape: {shape}
     material: {material}
-    collides: false
     position: {position}
-    velocity: [0.3, 0.2, 2]
-    angular_velocity: [3, 2, 1]
-"""
-HEAP = """\
-physsim: 1
-title: A thousand balls fall into a heap
-simulation: {duration: 10 s, timestep: 2 ms, iterations: 20}
-bodies:
-  floor: {fixed: true, shape: {type: halfspace, normal: [0, 0, 1]}, material: concrete}
-  ball:
-    repeat: {count: [10, 10, 10], spacing: [21 cm, 21 cm, 30 cm]}
-    shape: {type: sphere, radius: 8 cm}
-    material: rubber
-    position: [-1.0, -1.0, 0.3]
-    velocity: [0.3, 0.2, 0]
+    orientation: {{quaternion: {quaternion}}}
+    velocity: {velocity}
+    angular_velocity: {spin}
 """
 SHAPES = {
     "sphere": ("{type: sphere, radius: 6 cm}", "steel"),
@@ -68,27 +64,31 @@ SHAPES = {
 }
 
 
-def flight(title: str, *kinds: str) -> str:
-    """A scene of a thousand bodies of these kinds, layer by layer, that turn and fly."""
-    layers = 10 // len(kinds)
-    bodies = [
-        FLYING.format(
-            name=kind,
-            count=[10, 10, layers],
-            shape=SHAPES[kind][0],
-            material=SHAPES[kind][1],
-            position=[0, 0, 0.3 * layers * number],
+def scene(title: str, gravity: float, spacing: float, walls: str, *kinds: str) -> str:
+    """A scene of a thousand bodies of these kinds, thrown about at random: no two move alike."""
+    draw = np.random.default_rng(1)
+    bodies = []
+    for number, cell in enumerate(np.ndindex(10, 10, 10)):
+        kind = kinds[number % len(kinds)]
+        bodies.append(
+            BODY.format(
+                kind=kind,
+                number=number,
+                shape=SHAPES[kind][0],
+                material=SHAPES[kind][1],
+                position=((np.array(cell) - [4.5, 4.5, 0]) * spacing + [0, 0, 0.2]).tolist(),
+                quaternion=draw.normal(size=4).tolist(),
+                velocity=draw.normal(scale=0.7, size=3).tolist(),
+                spin=draw.normal(scale=5, size=3).tolist(),
+            )
         )
-        for number, kind in enumerate(kinds)
-    ]
-    return FREE_FLIGHT.format(title=title, bodies="".join(bodies))
+    return HEAD.format(title=title, gravity=gravity) + walls + "".join(bodies)
 
 
 RECORDINGS = {
-    "spheres": flight("A thousand spheres", "sphere"),
-    "boxes": flight("A thousand boxes", "box"),
-    "mixed": flight("A thousand bodies of five shapes", *SHAPES),
-    "heap": HEAP,
+    "spheres": scene("A thousand balls bounce and roll", -9.81, 0.25, "", "sphere"),
+    "boxes": scene("A thousand boxes fall into a heap", -9.81, 0.25, "", "box"),
+    "mixed": scene("A thousand bodies of five shapes in a room", 0, 0.5, WALLS, *SHAPES),
 }
 
 # Counts what the browser draws, whatever the page says of itself: a picture counts when the moment it shows
