@@ -1,4 +1,4 @@
-/** Building the page: elements with text that is never read as markup. */
+// Building the page: elements with text that is never read as markup.
 
 type Child = Node | string;
 type Attributes = Record<string, string | number | boolean>;

@@ -1,4 +1,4 @@
-/** Numbers as people read them: as many digits as their error allows, a true minus sign, units in print. */
+// Numbers as people read them: as many digits as their error allows, a true minus sign, units in print.
 
 const MOST_DIGITS = 10;
 const MINUS = "\u2212";

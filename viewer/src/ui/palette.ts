@@ -1,4 +1,4 @@
-/** Colours that people with any colour vision tell apart, and numbers to read them by. */
+// Colours that people with any colour vision tell apart, and numbers to read them by.
 
 export type Rgb = readonly [number, number, number];
 
@@ -13,10 +13,10 @@ const VIRIDIS: readonly Rgb[] = [
 export function viridis(share: number, out: [number, number, number]): [number, number, number] {
   const place = Math.min(1, Math.max(0, share || 0)) * (VIRIDIS.length - 1);
   const below = Math.min(VIRIDIS.length - 2, Math.floor(place));
-  const from = VIRIDIS[below] as Rgb;
-  const to = VIRIDIS[below + 1] as Rgb;
+  const from = VIRIDIS[below];
+  const to = VIRIDIS[below + 1];
   const part = place - below;
-  for (let i = 0; i < 3; i++) out[i] = (from[i] as number) + part * ((to[i] as number) - (from[i] as number));
+  for (let i = 0; i < 3; i++) out[i] = from[i] + part * (to[i] - from[i]);
   return out;
 }
 
@@ -36,11 +36,11 @@ const APART: readonly Rgb[] = [
 
 /** A colour for the n-th of many: the six of Okabe and Ito, then the same lighter and darker. */
 export function apart(n: number): Rgb {
-  const base = APART[n % APART.length] as Rgb;
+  const base = APART[n % APART.length];
   const round = Math.floor(n / APART.length) % 3;
   if (round === 0) return base;
   const goal = round === 1 ? 1 : 0;
-  return base.map((part) => part + 0.45 * (goal - part)) as unknown as Rgb;
+  return base.map((part) => part + 0.45 * (goal - part)) as [number, number, number];
 }
 
 /** Lines in a plot: colour and dashes together, for light and for dark paper (contrast at least 4.5 : 1). */
@@ -50,7 +50,7 @@ export interface Stroke {
   dash: readonly number[];
 }
 
-const STROKES: readonly Stroke[] = [
+const INKS: readonly Stroke[] = [
   { light: "#0b62a4", dark: "#5cb8f2", dash: [] },
   { light: "#b34700", dark: "#ff9d5c", dash: [7, 3] },
   { light: "#00704f", dark: "#3fd3a3", dash: [2, 3] },
@@ -61,6 +61,8 @@ const STROKES: readonly Stroke[] = [
   { light: "#8a2525", dark: "#ff8f8f", dash: [3, 5] },
 ];
 
+/** Ink and dashes of the n-th line; after the eighth the same inks come with other dashes. */
 export function stroke(n: number): Stroke {
-  return STROKES[n % STROKES.length] as Stroke;
+  const dashes = INKS[(n + 3 * Math.floor(n / INKS.length)) % INKS.length].dash;
+  return { ...INKS[n % INKS.length], dash: dashes };
 }

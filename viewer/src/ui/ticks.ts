@@ -1,4 +1,4 @@
-/** Round numbers along an axis: 1, 2 or 5 times a power of ten. */
+// Round numbers along an axis: 1, 2 or 5 times a power of ten.
 
 export interface Ticks {
   values: number[];

@@ -1,0 +1,38 @@
+// The help that lies over the page: what keys, mouse and fingers do.
+
+import { button, element, icon } from "./dom";
+import { CLOSE } from "./icons";
+import type { Shortcut } from "./keys";
+
+const POINTER = [
+  ["drag, one finger", "turn the view"],
+  ["right drag, two fingers", "move the view"],
+  ["wheel, pinch", "nearer, farther"],
+  ["click, tap on a body", "select it; on nothing: deselect"],
+  ["click in a plot", "go to that time"],
+] as const;
+
+/** A function that opens the help, and closes it again. */
+export function help(root: HTMLElement, shortcuts: readonly Shortcut[]): () => void {
+  const box = element("dialog", { class: "sheet help", "aria-labelledby": "help-title" });
+  const close = button("Close", icon(...CLOSE), "Escape", () => box.close());
+  box.append(
+    element("header", {}, element("h2", { id: "help-title" }, "Keys, mouse, fingers"), close),
+    element("div", { class: "help-columns" },
+      table("Keys", shortcuts.map((one) => [one.print, one.does])), table("Mouse and fingers", POINTER)),
+  );
+  box.addEventListener("click", (event) => event.target === box && box.close());
+  root.append(box);
+  return () => (box.open ? box.close() : box.showModal());
+}
+
+function table(name: string, rows: readonly (readonly [string, string])[]): HTMLElement {
+  const lines = rows.map(([keys, does]) =>
+    element("tr", {}, element("th", { scope: "row" }, ...caps(keys)), element("td", {}, does)));
+  return element("section", {}, element("h3", {}, name), element("table", {}, element("tbody", {}, ...lines)));
+}
+
+/** Two spaces stand between keys that do the same. */
+function caps(keys: string): (Node | string)[] {
+  return keys.split("  ").flatMap((key, i) => [i ? " " : "", element("kbd", {}, key)]);
+}

@@ -1,0 +1,72 @@
+// The panel that says what the picture shows: switches, colours, trails, view.
+
+import type { Recording } from "../recording";
+import { element } from "./dom";
+import type { Colouring, Settings, Store, Switch, ThemeChoice, Trails } from "./settings";
+
+interface SwitchRow {
+  key: Switch;
+  name: string;
+  shortcut: string;
+  /** Why it cannot be switched, or "". */
+  missing: (recording: Recording) => string;
+}
+
+const always = (): string => "";
+
+export const SWITCHES: readonly SwitchRow[] = [
+  { key: "contacts", name: "Contact points and forces", shortcut: "C",
+    missing: (recording) => (recording.frames && !recording.contacts(0) ? "not recorded" : "") },
+  { key: "joints", name: "Joints", shortcut: "J", missing: (recording) => (recording.joints.length ? "" : "none in this scene") },
+  { key: "springs", name: "Springs", shortcut: "S", missing: (recording) => (recording.springs.length ? "" : "none in this scene") },
+  { key: "labels", name: "Names of bodies", shortcut: "N", missing: always },
+  { key: "centers", name: "Centres of mass", shortcut: "M", missing: always },
+  { key: "frames", name: "Axes of bodies", shortcut: "B", missing: always },
+  { key: "axes", name: "Axes of the world", shortcut: "A", missing: always },
+  { key: "grid", name: "Grid", shortcut: "G", missing: always },
+  { key: "wireframe", name: "Collision shapes as wireframe", shortcut: "W", missing: always },
+  { key: "shadows", name: "Shadows", shortcut: "", missing: always },
+];
+
+const COLOURINGS: Record<Colouring, string> = { material: "Material", speed: "Speed", body: "Body" };
+const TRAILS: Record<Trails, string> = { none: "None", selected: "Selected", all: "All" };
+const THEMES: Record<ThemeChoice, string> = { auto: "System", light: "Light", dark: "Dark" };
+const SIZES: Record<string, string> = { 0.25: "¼×", 0.5: "½×", 1: "1×", 2: "2×", 4: "4×" };
+const LENGTHS: Record<string, string> = { 0.1: "0.1\u202fs", 1: "1\u202fs", 10: "10\u202fs", Infinity: "Whole" };
+
+/** The panel. */
+export function showPanel(recording: Recording, store: Store): HTMLElement {
+  return element(
+    "div", { class: "show" },
+    element("div", { class: "switches" }, ...SWITCHES.map((row) => switchOf(recording, store, row))),
+    choice(store, "colouring", "Colours by (V)", COLOURINGS, (text) => text as Colouring),
+    choice(store, "trails", "Trails (T)", TRAILS, (text) => text as Trails),
+    choice(store, "trailLength", "Length of trails", LENGTHS, Number),
+    choice(store, "arrowSize", "Size of force arrows", SIZES, Number),
+    choice(store, "theme", "Light or dark (D)", THEMES, (text) => text as ThemeChoice),
+  );
+}
+
+function switchOf(recording: Recording, store: Store, { key, name, shortcut, missing }: SwitchRow): HTMLElement {
+  const why = missing(recording);
+  const box = element("input", { type: "checkbox", role: "switch", disabled: why !== "" });
+  box.addEventListener("change", () => store.set(key, box.checked));
+  store.watch([key], () => (box.checked = store.now[key] && !why));
+  const hint = why ? element("span", { class: "unit" }, why) : shortcut ? element("kbd", {}, shortcut) : "";
+  return element("label", {}, box, element("span", {}, name), hint);
+}
+
+/** One of a few, as radio buttons in a row. */
+function choice<K extends keyof Settings>(
+  store: Store, key: K, name: string, options: Record<string, string>, read: (text: string) => Settings[K],
+): HTMLElement {
+  const set = element("fieldset", { class: "choice" }, element("legend", {}, name));
+  const boxes = Object.entries(options).map(([value, text]) => {
+    const box = element("input", { type: "radio", name: key, value });
+    box.addEventListener("change", () => store.set(key, read(value)));
+    set.append(element("label", {}, box, element("span", {}, text)));
+    return box;
+  });
+  store.watch([key], () => boxes.forEach((box) => (box.checked = read(box.value) === store.now[key])));
+  return set;
+}
