@@ -16,10 +16,10 @@ from physsim.model.arrays import floats, wholes
 from physsim.model.drives import Drive
 from physsim.model.findings import Findings
 from physsim.model.placement import Placed, Placement
-from physsim.model.polyhedron import IntArray
 from physsim.model.profiles import Profiles
 from physsim.model.rotation import FloatArray
 from physsim.model.springs import COINCIDING
+from physsim.model.tied import TiedTable
 
 if TYPE_CHECKING:
     from physsim.scene.spec.joints import DistanceJoint, GearJoint, JointSpec
@@ -108,27 +108,13 @@ class Joint:
 
 
 @dataclass(frozen=True)
-class JointTable:
+class JointTable(TiedTable):
     """The joints of a scene, in its order, and after them the stops of its springs, which have no name."""
 
     names: tuple[str, ...]
     types: tuple[str, ...]
     rows: tuple[Joint, ...]
     drives: tuple[Drive, ...]
-
-    @property
-    def bodies(self) -> IntArray:
-        """Numbers (J, 2) of A and B, -1 for the world."""
-        return wholes([[end.number for end in row.ends] for row in self.rows], 2)
-
-    @property
-    def anchors(self) -> FloatArray:
-        """(J, 2, 3) m, each in its body's own frame."""
-        return floats(
-            [[arm + end.offset for arm, end in zip(row.anchors, row.ends, strict=True)] for row in self.rows],
-            2,
-            3,
-        )
 
     @property
     def axes(self) -> FloatArray:

@@ -14,8 +14,8 @@ from physsim.model import curves
 from physsim.model.arrays import floats, wholes
 from physsim.model.oscillation import Oscillation
 from physsim.model.placement import Placed, Placement
-from physsim.model.polyhedron import IntArray
 from physsim.model.rotation import FloatArray
+from physsim.model.tied import TiedTable
 
 if TYPE_CHECKING:
     from physsim.scene.spec.springs import LinearSpring, SpringSpec, TorsionalSpring
@@ -80,26 +80,12 @@ class Spring:
 
 
 @dataclass(frozen=True)
-class SpringTable:
+class SpringTable(TiedTable):
     """The springs of a scene, in its order."""
 
     names: tuple[str, ...]
     types: tuple[str, ...]
     rows: tuple[Spring, ...]
-
-    @property
-    def bodies(self) -> IntArray:
-        """Numbers (S, 2) of A and B, -1 for the world."""
-        return wholes([[end.number for end in row.ends] for row in self.rows], 2)
-
-    @property
-    def anchors(self) -> FloatArray:
-        """(S, 2, 3) m, each in its body's own frame."""
-        return floats(
-            [[arm + end.offset for arm, end in zip(row.anchors, row.ends, strict=True)] for row in self.rows],
-            2,
-            3,
-        )
 
     @property
     def axes(self) -> FloatArray:

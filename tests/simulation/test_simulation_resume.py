@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import signal
 import subprocess
 import sys
 import time
@@ -11,29 +10,15 @@ from pathlib import Path
 
 import pytest
 from contents import differing
+from stops import many_short_calls, stopping_at  # noqa: F401, the first is a fixture
 
 import physsim
 from physsim.errors import FileTrouble
-from physsim.simulation import Interrupted, Progress, loop
+from physsim.simulation import Interrupted, Progress
 from physsim.simulation.resume import differences
 
 Scene = Callable[..., Path]
 FCL = (("duration: 600 ms", "duration: 200 ms, collision: fcl"),)
-
-
-@pytest.fixture(autouse=True)
-def many_short_calls(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The engine is called for one or a few steps at a time, so that a stop can fall anywhere."""
-    monkeypatch.setattr(loop, "SECONDS_PER_CALL", 1e-5)
-    monkeypatch.setattr("physsim.simulation.progress.SECONDS_BETWEEN_REPORTS", 0.0)
-
-
-def stopping_at(step: int) -> Callable[[Progress], None]:
-    def report(progress: Progress) -> None:
-        if progress.step >= step and progress.status == "running":
-            signal.raise_signal(signal.SIGINT)
-
-    return report
 
 
 def interrupted(path: Path, output: Path, step: int, resume: bool = False) -> None:

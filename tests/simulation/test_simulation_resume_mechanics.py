@@ -7,37 +7,21 @@ pairs that FCL answers; stopped between any two steps, or killed at any moment.
 from __future__ import annotations
 
 import random
-import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from contents import differing
+from stops import many_short_calls, stopping_at  # noqa: F401, the first is a fixture
 
 import physsim
-from physsim.simulation import Interrupted, Progress, loop
+from physsim.simulation import Interrupted
 
 INTEGRATORS = ("explicit_euler", "semi_implicit_euler", "verlet", "velocity_verlet", "leapfrog", "rk4")
 HERE = Path(__file__).parent
 CONTACTS, MACHINE = HERE / "resume_contacts.yaml", HERE / "resume_machine.yaml"
-
-
-@pytest.fixture(autouse=True)
-def many_short_calls(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The engine is called for one or a few steps at a time, so that a stop can fall anywhere."""
-    monkeypatch.setattr(loop, "SECONDS_PER_CALL", 1e-5)
-    monkeypatch.setattr("physsim.simulation.progress.SECONDS_BETWEEN_REPORTS", 0.0)
-
-
-def stopping_at(step: int) -> Callable[[Progress], None]:
-    def report(progress: Progress) -> None:
-        if progress.step >= step and progress.status == "running":
-            signal.raise_signal(signal.SIGINT)
-
-    return report
 
 
 def in_pieces(scene: Path, output: Path, stops: tuple[int, ...], **changes: str) -> None:
