@@ -5,6 +5,7 @@ mod forces;
 mod input;
 mod joints;
 mod model;
+mod picture;
 mod tables;
 
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -309,6 +310,7 @@ fn run_for(world: &mut World, left: u64, oracle: &mut Callback) -> (u64, Result<
 #[pymodule]
 fn _engine(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<PyWorld>()?;
+    m.add_function(wrap_pyfunction!(picture::draw, m)?)?;
     m.add("Diverged", m.py().get_type::<Diverged>())?;
     m.add("EngineError", m.py().get_type::<EngineError>())?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
