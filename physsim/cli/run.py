@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from physsim.cli import output, problems, progress, summary
+from physsim.cli import output, problems, progress, summary, watching
 from physsim.cli.verb import Example, Verb, debug_option, json_option, set_option, settings
 from physsim.errors import ExpectationFailed, Problem
 
@@ -32,6 +32,7 @@ from physsim.errors import ExpectationFailed, Problem
             "half the timestep, in place of the older file",
             "physsim run my_scene.yaml --set simulation.timestep='0.5 ms' --force",
         ),
+        Example("see it in a browser while it computes", "physsim run my_scene.yaml -o seen.h5 --watch"),
         Example("for a script: one JSON document", "physsim run my_scene.yaml -o trial.h5 --json --quiet"),
     ],
 )
@@ -52,6 +53,15 @@ from physsim.errors import ExpectationFailed, Problem
 @click.option(
     "--force", is_flag=True, help="Replace an existing file, once the new run has something to keep."
 )
+@click.option(
+    "--watch", is_flag=True, help="Show the run in a browser while it computes; it is hardly slower for that."
+)
+@click.option(
+    "--port",
+    type=click.IntRange(1, 65535),
+    metavar="N",
+    help="Port of the page of --watch, on this machine only. Default: any that is free.",
+)
 @click.option("--quiet", is_flag=True, help="Errors and failed expectations only.")
 @json_option
 @debug_option
@@ -65,6 +75,8 @@ def command(
     duration: str | None,
     resume: bool,
     force: bool,
+    watch: bool,
+    port: int | None,
     quiet: bool,
     as_json: bool,
 ) -> None:
@@ -85,20 +97,36 @@ def command(
     file = Path(target) if target is not None else Path(f"{Path(scene).stem}.h5")
     warnings = Warnings(scene, told=not quiet and not as_json)
     settings(ctx).known = {"scene": scene, "file": str(file), "warnings": warnings.data}
-    loaded = load_scene(scene, [*overrides, *duration_override(duration)], warnings)
-    with progress.shown(loaded.title, quiet=quiet) as report:
-        trajectory = run(loaded, output=file, resume=resume, force=force, progress=report, warn=warnings)
-    with trajectory:
-        results = check_expectations(trajectory, loaded.spec.expect)
-        facts = summary.facts(trajectory, results)
-    code = 0 if all(result.held for result in results) else ExpectationFailed.exit_code
-    if as_json:
-        output.document("run", code, **settings(ctx).known | facts, error=None, problems=[])
-    elif not quiet:
-        output.result(summary.as_text(facts, len(warnings.data)))
+    with watching.offered(watch, port) as feed:
+        loaded = load_scene(scene, [*overrides, *duration_override(duration)], warnings)
+        with progress.shown(loaded.title, quiet=quiet) as report:
+            trajectory = run(
+                loaded,
+                output=file,
+                resume=resume,
+                force=force,
+                progress=report,
+                warn=warnings,
+                onlooker=feed,
+            )
+        with trajectory:
+            results = check_expectations(trajectory, loaded.spec.expect)
+            facts = summary.facts(trajectory, results)
+        code = 0 if all(result.held for result in results) else ExpectationFailed.exit_code
+        if as_json:
+            output.document("run", code, **settings(ctx).known | facts, error=None, problems=[])
+        else:
+            _tell(facts, code, len(warnings.data), quiet)
+        if feed is not None and not (quiet or as_json):
+            watching.stay(feed)
+    ctx.exit(code)
+
+
+def _tell(facts: dict[str, Any], code: int, warnings: int, quiet: bool) -> None:
+    if not quiet:
+        output.result(summary.as_text(facts, warnings))
     elif code:
         output.message(summary.failures(facts))
-    ctx.exit(code)
 
 
 def duration_override(duration: str | None) -> list[str]:

@@ -14,11 +14,13 @@ class Onlooker(Protocol):
     waits for it, and its bits must not depend on it. What it is given is never written to again.
     """
 
-    def begin(self, title: str, duration: float, fixed: Rows) -> None:
-        """Before the first step. duration: simulated [s]; fixed: datasets that do not grow, by path."""
+    def begin(self, title: str, file: Path, duration: float, fixed: Rows) -> None:
+        """Before the first step. file: the trajectory to be; duration: simulated [s]; fixed: datasets that do
+        not grow, by path.
+        """
 
     def frame(self, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
         """A frame that was recorded at `time` [s], rows by dataset path; contacts: None when not recorded."""
 
-    def end(self, status: Status, detail: str, file: Path) -> None:
-        """How the run ended, and where its file is."""
+    def end(self, status: Status, detail: str) -> None:
+        """How the run ended; the file is closed."""

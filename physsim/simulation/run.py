@@ -121,13 +121,14 @@ def _simulate(
         provenance = {"provenance/finished": now(), "provenance/wall_time": took}
         path = recorder.finish(ending.status, ending.detail, engine, loop.step, provenance)
     if onlooker is not None:
-        onlooker.end(ending.status, ending.detail, path)
+        onlooker.end(ending.status, ending.detail)
     return _kept(path, ending)
 
 
 def _tell_who_takes_part(onlooker: Onlooker, prepared: Prepared) -> None:
     scene, model, schedule = prepared.scene, prepared.model, prepared.schedule
-    onlooker.begin(scene.title, schedule.steps * schedule.timestep, fixed_values(scene, model))
+    duration = schedule.steps * schedule.timestep
+    onlooker.begin(scene.title, prepared.target.path, duration, fixed_values(scene, model))
 
 
 def _started(prepared: Prepared, simulated: Simulated) -> Recorder:

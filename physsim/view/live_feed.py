@@ -1,10 +1,10 @@
 """Hands what a run records to those who watch it, without ever holding it up.
 
 The run leaves the newest frame in a place and goes on. A thread looks there `FRAMES_PER_SECOND` times a
-second and writes what is new down a pipe to a process of its own, which serves the page; when that process is
-slow the thread waits, and the frames between are not seen. The thread works while the engine steps, which
-does so without Python's lock. A thread, and not a pipe that never blocks: a frame may be larger than a pipe, and
-this way is the same on all systems.
+second and writes what is new down a pipe to a process of its own, which serves the page; when that
+process is slow the thread waits, and the frames between are not seen. The thread works while the engine
+steps, which does so without Python's lock. A thread, and not a pipe that never blocks: a frame may be larger
+than a pipe, and this way is the same on all systems.
 """
 
 from __future__ import annotations
@@ -62,6 +62,7 @@ class Feed:
         self._announce = announce
         self._trouble = trouble
         self._opening: Message | None = None
+        self._first: _Frame | None = None
         self._newest: _Frame | None = None
         self._ending: Message | None = None
         self._frames = 0
@@ -70,22 +71,24 @@ class Feed:
         self._thread = threading.Thread(target=self._carry, name="physsim-watch", daemon=True)
         self._thread.start()
 
-    def begin(self, title: str, duration: float, fixed: Rows) -> None:
+    def begin(self, title: str, file: Path, duration: float, fixed: Rows) -> None:
         """Who takes part. duration: simulated [s]; fixed: datasets that do not grow, by path."""
         found = {path: np.asarray(value) for path, value in fixed.items() if not path.startswith(_NOT_SHOWN)}
         texts = {path: array.tolist() for path, array in found.items() if array.dtype.kind in "OU"}
         numbers = {path: array for path, array in found.items() if path not in texts}
-        self._opening = Message("begin", {"title": title, "duration": duration, "texts": texts}, numbers)
+        facts = {"title": title, "file": file.name, "duration": duration, "texts": texts}
+        self._opening = Message("begin", facts, numbers)
         self._begun.set()
 
     def frame(self, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
-        """A recorded frame: seen when it is still the newest the next time that somebody looks."""
+        """A recorded frame: seen when it is the first, or still the newest when the thread looks."""
         self._newest = _Frame(self._frames, step, time, rows, contacts)
+        self._first = self._first or self._newest
         self._frames += 1
 
-    def end(self, status: str, detail: str, file: Path) -> None:
+    def end(self, status: str, detail: str) -> None:
         """How the run ended; the last frame is always seen."""
-        self._ending = Message("end", {"status": status, "detail": detail, "file": file.name})
+        self._ending = Message("end", {"status": status, "detail": detail})
         self._over.set()
 
     @property
@@ -144,10 +147,10 @@ class Feed:
         over = False
         while not over:
             over = self._over.wait(1 / FRAMES_PER_SECOND)
-            newest = self._newest
-            if newest is not None and newest is not sent:
-                self._send(newest.message())
-                sent = newest
+            for frame in (self._first, self._newest):
+                if frame is not None and (sent is None or frame.number > sent):
+                    self._send(frame.message())
+                    sent = frame.number
         if self._ending is not None:
             self._send(self._ending)
 

@@ -14,8 +14,8 @@ MODULE = "physsim.view.live_server"
 def start(port: int) -> subprocess.Popen[bytes]:
     """A fresh interpreter with the server in it; port 0: any that is free. Raises OSError.
 
-    Messages go to its stdin, and it leaves when that ends; `address` reads what it says at first. Ctrl-C is not
-    for it: it stands in a process group of its own, but in the same session, because where the kernel
+    Messages go to its stdin, and it leaves when that ends; `address` reads what it says at first. Ctrl-C is
+    not for it: it stands in a process group of its own, but in the same session, because where the kernel
     shares the processor between sessions first (autogroup) a lower priority would count for nothing.
     """
     own_group: dict[str, Any] = (

@@ -23,6 +23,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
+from physsim.view.live_page import live_page
 from physsim.view.live_show import Show
 from physsim.view.live_store import caught_up
 from physsim.view.live_wire import Message, encoded, read
@@ -83,7 +84,7 @@ class Handler(BaseHTTPRequestHandler):
         port = self.server.server_port
         asked = urlsplit(self.path)
         if self.headers.get("Host") not in {f"{HOST}:{port}", f"localhost:{port}"}:
-            self._refuse(HTTPStatus.MISDIRECTED_REQUEST)
+            self._refuse(HTTPStatus.FORBIDDEN)
         elif asked.path == f"/{self.server.token}/":
             self._send_page()
         elif asked.path == f"/{self.server.token}/frames":
@@ -100,14 +101,9 @@ class Handler(BaseHTTPRequestHandler):
             self._refuse(HTTPStatus.GONE)
             return
         self._start(
-            HTTPStatus.OK,
-            {
-                "Content-Type": "text/html; charset=utf-8",
-                "Content-Length": str(len(page.html)),
-                "Content-Security-Policy": page.policy,
-            },
+            HTTPStatus.OK, {"Content-Type": "text/html; charset=utf-8", "Content-Length": str(len(page))}
         )
-        self.wfile.write(page.html)
+        self.wfile.write(page)
 
     def _send_frames(self, after: int) -> None:
         with self.server.show.stream() as room:
@@ -181,7 +177,7 @@ def _listen(show: Show) -> None:
             show.store.finish(data)
             ended = True
     if not ended:
-        lost = {"status": "failed", "detail": "the run ended without a word", "file": ""}
+        lost = {"status": "failed", "detail": "the run ended without a word"}
         show.store.finish(encoded(Message("end", lost)))
 
 

@@ -5,19 +5,10 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 
 from physsim.view.live_store import Store
 
 MOST_STREAMS = 32
-
-
-@dataclass(frozen=True)
-class Page:
-    """A whole HTML page and its Content-Security-Policy."""
-
-    html: bytes
-    policy: str
 
 
 class Show:
@@ -26,13 +17,13 @@ class Show:
     def __init__(self) -> None:
         self.store = Store()
         self._changed = threading.Condition()
-        self._page: Page | None = None
+        self._page: bytes | None = None
         self._closed = False
         self._expected = False
         self._visits = 0
         self._streams = 0
 
-    def open(self, page: Page, *, expected: bool) -> None:
+    def open(self, page: bytes, *, expected: bool) -> None:
         """There is a page now. expected: somebody is on the way to it."""
         with self._changed:
             self._page = page
@@ -45,7 +36,7 @@ class Show:
             self._closed = True
             self._changed.notify_all()
 
-    def visit(self) -> Page | None:
+    def visit(self) -> bytes | None:
         """The page, when there is one, for somebody who will ask for its frames next; None: never."""
         with self._changed:
             self._expected = False
@@ -71,6 +62,4 @@ class Show:
     def wait_until_seen(self, seconds: float) -> None:
         """Until everybody has what there is, but no longer than `seconds`."""
         with self._changed:
-            self._changed.wait_for(
-                lambda: not (self._expected or self._visits or self._streams), seconds
-            )
+            self._changed.wait_for(lambda: not (self._expected or self._visits or self._streams), seconds)

@@ -66,12 +66,12 @@ class Store:
         return self._frames[first:]
 
     def _thin_out(self) -> None:
-        """Drops every second of the older frames, evenly over time, until a quarter of the room is free.
+        """Drops older frames, evenly over time, until a tenth of the room is free.
 
         Of the older part stay the arrivals that a stride divides. The stride doubles when that is not enough;
         so the density is the same from the first frame to the recent ones, and the first frame always stays.
         """
-        goal = 0.75 * self._most_bytes
+        goal = 0.9 * self._most_bytes
         while self._bytes > goal and len(self._frames) > 2:
             recent = max(int((1 - RECENT) * len(self._frames)), 1)
             old = [kept for kept in self._frames[:recent] if kept.arrival % self._stride == 0]
@@ -83,5 +83,5 @@ class Store:
 
 def caught_up(frames: list[Kept]) -> list[Kept]:
     """No more than `MOST_BEHIND` of them, evenly chosen, with the newest."""
-    stride = (len(frames) - 1) // MOST_BEHIND + 1
+    stride = max(-(-len(frames) // MOST_BEHIND), 1)
     return frames[::-1][::stride][::-1]

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import io
-import os
 import queue
-import signal
 import socket
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -19,27 +15,27 @@ import pytest
 from view_watcher import PATIENCE, Watcher, frames, get
 
 import physsim
-from physsim.simulation import Onlooker
 from physsim.view.live_feed import Feed
-from physsim.view.live_store import MOST_BEHIND, Kept, Store, caught_up
-from physsim.view.live_wire import Message, encoded, read
+from physsim.view.live_wire import Message
 
 SCENE = """
 physsim: 1
-title: "<b>Two bricks & a ball</b>"
+title: "<b>A ball</b> & more"
 simulation: {duration: 400 ms, timestep: 1 ms}
 bodies:
   floor: {fixed: true, shape: {type: halfspace, normal: [0, 0, 1]}, material: concrete}
   ball: {shape: {type: sphere, radius: 5 cm}, material: steel, position: [0, 0, 20 cm], velocity: [1, 0, 0]}
-  "<img src=x onerror=alert(1)>":
+  brick:
+    repeat: {count: [1, 1, 2], spacing: [0, 0, 7 cm]}
     shape: {type: box, size: [20 cm, 10 cm, 7 cm]}
     material: concrete
     position: [40 cm, 0, 35 mm]
   bob: {shape: {type: box, size: [5 cm, 5 cm, 5 cm]}, material: steel, position: [0, 1, 1]}
 joints:
-  "</script>": {type: hinge, between: [world, bob], anchor: [0, 1, 1.5], axis: [0, 1, 0]}
+  hinge: {type: hinge, between: [world, bob], anchor: [0, 1, 1.5], axis: [0, 1, 0]}
 springs:
-  tether: {type: linear, between: [world, ball], anchors: [[0, 0, 1], [0, 0, 0]], rest_length: 0.5, stiffness: 10}
+  tether:
+    {type: linear, between: [world, ball], anchors: [[0, 0, 1], [0, 0, 0]], rest_length: 0.5, stiffness: 10}
 record: {every: 1 ms}
 """
 
@@ -54,25 +50,26 @@ def scene(tmp_path: Path) -> Path:
 class Offer:
     """A feed, the address that it announces, and its troubles."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, expected: bool = False) -> None:
+        self._expected = expected
         self._announced: queue.Queue[str] = queue.Queue()
         self.troubles: list[str] = []
         self.feed = Feed(self._announce, self.troubles.append)
 
     def _announce(self, address: str) -> bool:
         self._announced.put(address)
-        return False
+        return self._expected
 
     def address(self) -> str:
         return self._announced.get(timeout=PATIENCE)
 
 
 @pytest.fixture
-def offer() -> Iterator[Callable[[], Offer]]:
+def offer() -> Iterator[Callable[..., Offer]]:
     made: list[Offer] = []
 
-    def make() -> Offer:
-        made.append(Offer())
+    def make(**how: bool) -> Offer:
+        made.append(Offer(**how))
         return made[-1]
 
     yield make
@@ -80,71 +77,233 @@ def offer() -> Iterator[Callable[[], Offer]]:
         offered.feed.close()
 
 
-class Waiting:
-    """Holds up a run after its first frame until somebody sees it, so that the rest is seen as well."""
+class HeldUp:
+    """Tells a feed of a run, which it stops after the first frame until `meanwhile(address)` is done."""
 
-    def __init__(self, offer: Offer, look: Callable[[str], Watcher]) -> None:
-        self._offer = offer
-        self._look = look
-        self.watcher: Watcher | None = None
-
-    def begin(self, title: str, duration: float, fixed: Any) -> None:
-        self._offer.feed.begin(title, duration, fixed)
+    def __init__(self, offered: Offer, meanwhile: Callable[[str], None]) -> None:
+        self._offered = offered
+        self._meanwhile = meanwhile
+        self.begin, self.end = offered.feed.begin, offered.feed.end
 
     def frame(self, step: int, time: float, rows: Any, contacts: Any) -> None:
-        self._offer.feed.frame(step, time, rows, contacts)
-        if self.watcher is None:
-            self.watcher = self._look(self._offer.address())
-            assert self.watcher.sees.wait(PATIENCE)
-
-    def end(self, status: Any, detail: str, file: Path) -> None:
-        self._offer.feed.end(status, detail, file)
+        self._offered.feed.frame(step, time, rows, contacts)
+        if step == 0:
+            self._meanwhile(self._offered.address())
 
 
-def small_run(onlooker: Onlooker, bodies: int = 2) -> None:
-    """A feed told of a run by hand: who takes part."""
-    names = [f"body {number}" for number in range(bodies)]
-    onlooker.begin("by hand", 1.0, STILL | {
-        "body": names, "material": ["steel"] * bodies, "mass": np.ones(bodies), "fixed": np.zeros(bodies, np.int8),
-        "center_of_mass": np.zeros((bodies, 3)), "inertia": np.tile(np.eye(3), (bodies, 1, 1)),
-    })
-
-
-STILL = {
-    "geometry/body": np.array([0], np.int32), "geometry/kind": ["sphere"],
-    "geometry/parameters": np.array([[0.1, 0, 0, 0]]), "geometry/position": np.zeros((1, 3)),
-    "geometry/orientation": np.array([[1.0, 0, 0, 0]]), "geometry/material": ["steel"], "geometry/color": [""],
-    "geometry/shown": np.array([1], np.int8), "geometry/collides": np.array([1], np.int8),
+BALL = {
+    "body": ["ball"],
+    "material": ["steel"],
+    "mass": np.ones(1),
+    "fixed": np.zeros(1, np.int8),
+    "center_of_mass": np.zeros((1, 3)),
+    "inertia": np.eye(3)[None],
+    "geometry/body": np.zeros(1, np.int32),
+    "geometry/kind": ["sphere"],
+    "geometry/parameters": np.array([[0.1, 0, 0, 0]]),
+    "geometry/position": np.zeros((1, 3)),
+    "geometry/orientation": np.array([[1.0, 0, 0, 0]]),
+    "geometry/material": ["steel"],
+    "geometry/color": [""],
+    "geometry/shown": np.ones(1, np.int8),
+    "geometry/collides": np.ones(1, np.int8),
     "geometry/surface": np.array([-1]),
-    "geometry/vertex_offset": np.array([0]), "geometry/vertices": np.zeros((0, 3)),
-    "geometry/triangle_offset": np.array([0]), "geometry/triangles": np.zeros((0, 3)),
-    "provenance/scene": "secret text",
+    "geometry/vertex_offset": np.zeros(1, np.int64),
+    "geometry/vertices": np.zeros((0, 3)),
+    "geometry/triangle_offset": np.zeros(1, np.int64),
+    "geometry/triangles": np.zeros((0, 3)),
+    "provenance/scene": "# a secret of the author",
 }
 
 
-class TestWhatPagesGet:
-    def test_frames_have_the_bits_of_the_file_and_the_last_is_among_them(self, scene: Path, tmp_path, offer) -> None:
-        offered = offer()
-        onlooker = Waiting(offered, Watcher)
-        physsim.run(scene, output=tmp_path / "run.h5", onlooker=onlooker).close()
-        offered.feed.close()
-        *seen, end = onlooker.watcher.wait()
-        assert (end.kind, end.facts) == (
-            "end", {"status": "complete", "detail": "ran to its end at 0.4 s", "file": "run.h5"}
-        )
-        numbers = [message.facts["frame"] for message in seen]
-        assert numbers == sorted(set(numbers))
-        assert (numbers[0], numbers[-1]) == (0, 400)
-        assert offered.troubles == []
-        with h5py.File(tmp_path / "run.h5") as file:
-            for message in seen:
-                assert_same_bits(message, file)
+def begun(feed: Feed, **different: Any) -> None:
+    """Tells a feed of a run of one ball."""
+    fixed = BALL | {path.replace("__", "/"): value for path, value in different.items()}
+    feed.begin("By hand", Path("hand.h5"), 1.0, fixed)
 
-    def test_pages_that_come_late_get_everything(self, scene: Path, tmp_path, offer) -> None:
+
+def assert_same_bits(message: Message, file: h5py.File) -> None:
+    """The frame is the file's."""
+    row = message.facts["frame"]
+    assert (message.facts["step"], message.facts["time"]) == (file["step"][row], file["time"][row])
+    first, last = file["contacts/offset"][row : row + 2]
+    for path, array in message.arrays.items():
+        there = file[path][first:last] if path.startswith("contacts/") else file[path][row]
+        assert np.asarray(there, array.dtype).tobytes() == array.tobytes(), path
+
+
+class TestWhatPagesGet:
+    def test_frames_have_the_bits_of_the_file_and_first_and_last_are_there(
+        self, scene: Path, tmp_path: Path, offer
+    ) -> None:
+        offered, watchers = offer(), []
+        held_up = HeldUp(offered, lambda address: watchers.extend(Watcher(address) for _ in range(2)))
+        physsim.run(scene, output=tmp_path / "run.h5", onlooker=held_up).close()
+        offered.feed.close()
+        for watcher in watchers:
+            *seen, end = watcher.wait()
+            assert (end.kind, end.facts) == (
+                "end",
+                {"status": "complete", "detail": "ran to its end at 0.4 s"},
+            )
+            numbers = [message.facts["frame"] for message in seen]
+            assert numbers == sorted(set(numbers))
+            assert (numbers[0], numbers[-1]) == (0, 400)
+            with h5py.File(tmp_path / "run.h5") as file:
+                for message in seen:
+                    assert_same_bits(message, file)
+            assert {
+                "position",
+                "energy/residual",
+                "joints/torque",
+                "springs/length",
+                "contacts/force",
+            } <= {*seen[-1].arrays}
+        assert offered.troubles == []
+
+    def test_a_page_that_comes_late_or_comes_back_gets_what_it_has_not(self, offer) -> None:
         offered = offer()
-        physsim.run(scene, output=tmp_path / "run.h5", onlooker=offered.feed).close()
-        *seen, end = frames(offered.address())
-        assert end.kind == "end"
-        assert (seen[0].facts["frame"], seen[-1].facts["frame"]) == (0, 400)
-        *later, _ = frames(offered.address, after=399) if False else frames(offered_address(offered), 399)
-        assert [message.facts["frame"] for message in later] == [400]
+        begun(offered.feed)
+        address = offered.address()
+        for number in range(3):
+            offered.feed.frame(number, float(number), {"position": np.full((1, 3), number)}, None)
+            stream = frames(address, number - 1)
+            assert next(stream).facts == {"frame": number, "step": number, "time": number}
+        offered.feed.end("failed", "it blew up")
+        assert [message.facts.get("frame", message.kind) for message in frames(address)] == [0, 1, 2, "end"]
+        assert [message.facts.get("frame", message.kind) for message in frames(address, 1)] == [2, "end"]
+
+    def test_a_run_that_dies_has_an_end_too(self, offer) -> None:
+        offered = offer()
+        begun(offered.feed)
+        watcher = Watcher(offered.address())
+        offered.feed.close()
+        (end,) = watcher.wait()
+        assert (end.kind, end.facts["status"]) == ("end", "failed")
+
+    def test_the_page_stands_alone_but_for_its_frames(self, offer) -> None:
+        offered = offer()
+        begun(offered.feed, body=["<img src=x onerror=alert(1)></script>"])
+        address = offered.address()
+        with get(address) as answer:
+            text = answer.read().decode()
+        assert (answer.status, answer.headers["Content-Type"]) == (200, "text/html; charset=utf-8")
+        assert "connect-src &#x27;self&#x27;" in text
+        assert "default-src &#x27;none&#x27;" in text
+        assert "<img" not in text
+        assert "\\u003cimg src=x" in text
+        assert "secret" not in text
+
+
+class TestWhoIsLetIn:
+    @pytest.fixture
+    def address(self, offer) -> str:
+        offered = offer()
+        begun(offered.feed)
+        return offered.address()
+
+    @pytest.mark.parametrize("host", ["evil.example", "evil.example:80", "127.0.0.1", "127.0.0.1.evil", ""])
+    @pytest.mark.parametrize("path", ["", "frames"])
+    def test_other_host_names_are_refused(self, address: str, host: str, path: str) -> None:
+        with get(address, path, Host=host) as answer:
+            assert answer.status == 403
+            assert answer.read() == b"403 Forbidden\n"
+
+    def test_localhost_is_a_name_of_this_machine(self, address: str) -> None:
+        with get(address, Host=f"localhost:{urlsplit(address).port}") as answer:
+            assert answer.status == 200
+
+    @pytest.mark.parametrize("path", ["/", "/favicon.ico", "/frames", "/guess/", "/guess/frames", "//"])
+    def test_without_the_token_there_is_nothing(self, address: str, path: str) -> None:
+        parts = urlsplit(address)
+        with get(f"http://{parts.netloc}{path}") as answer:
+            assert answer.status == 404
+
+    @pytest.mark.parametrize("path", ["../", "frames/", "..%2f..%2fetc/passwd", "viewer.js"])
+    def test_beside_the_page_there_is_nothing(self, address: str, path: str) -> None:
+        with get(address, path) as answer:
+            assert answer.status == 404
+
+    def test_other_sites_cannot_read_it(self, address: str) -> None:
+        with get(address, Origin="https://evil.example") as answer:
+            assert not [name for name in answer.headers if name.lower().startswith("access-control")]
+            assert answer.headers["Cross-Origin-Resource-Policy"] == "same-origin"
+            assert answer.headers["X-Frame-Options"] == "DENY"
+
+    def test_nothing_can_be_sent(self, address: str) -> None:
+        parts = urlsplit(address)
+        with socket.create_connection((parts.hostname, parts.port), PATIENCE) as line:
+            line.sendall(f"POST {parts.path} HTTP/1.1\r\nHost: {parts.netloc}\r\n\r\n".encode())
+            assert line.makefile("rb").readline().split()[1] == b"501"
+
+    def test_nobody_else_on_the_network_can_connect(self, address: str) -> None:
+        assert urlsplit(address).hostname == "127.0.0.1"
+
+    def test_each_has_its_own_path(self, offer) -> None:
+        paths = set()
+        for _ in range(2):
+            offered = offer()
+            begun(offered.feed)
+            paths.add(urlsplit(offered.address()).path)
+        assert len(paths) == 2
+        assert min(map(len, paths)) >= 22
+
+
+class TestTheRunGoesOn:
+    def test_the_file_is_the_same_whoever_watches(
+        self, scene: Path, tmp_path: Path, offer, differing
+    ) -> None:
+        physsim.run(scene, output=tmp_path / "alone.h5").close()
+        physsim.run(scene, output=tmp_path / "nobody.h5", onlooker=offer().feed).close()
+        held_up = HeldUp(offer(), lambda address: watchers.append(Watcher(address)))
+        watchers: list[Watcher] = []
+        physsim.run(scene, output=tmp_path / "watched.h5", onlooker=held_up).close()
+        assert differing(tmp_path / "alone.h5", tmp_path / "nobody.h5") == []
+        assert differing(tmp_path / "alone.h5", tmp_path / "watched.h5") == []
+
+    def test_a_reader_that_takes_nothing_holds_up_nobody(self, offer) -> None:
+        offered = offer(expected=True)
+        begun(offered.feed)
+        address = offered.address()
+        with get(address, "frames"):  # reads the head of the answer and no more
+            watcher = Watcher(address)
+            for number in range(40):
+                offered.feed.frame(number, float(number), {"position": np.zeros((50_000, 3))}, None)
+                next(frames(address, number - 1))
+            offered.feed.end("complete", "")
+            assert [message.facts.get("frame") for message in watcher.wait()] == [*range(40), None]
+        assert offered.troubles == []
+
+    def test_browsers_that_leave_are_no_trouble(self, offer) -> None:
+        offered = offer()
+        begun(offered.feed)
+        address = offered.address()
+        for number in range(3):
+            offered.feed.frame(number, float(number), {"position": np.zeros((50_000, 3))}, None)
+            get(address, "frames").close()
+        offered.feed.end("complete", "")
+        assert [message.kind for message in frames(address)][-1] == "end"
+        assert offered.troubles == []
+
+    def test_a_server_that_dies_is_told_once(self, scene: Path, tmp_path: Path, offer, differing) -> None:
+        offered = offer()
+        server = offered.feed._process
+        held_up = HeldUp(offered, lambda _: (server.kill(), server.wait()))
+        physsim.run(scene, output=tmp_path / "run.h5", onlooker=held_up).close()
+        offered.feed.close()
+        assert offered.troubles == ["the server of the page has ended"]
+        physsim.run(scene, output=tmp_path / "alone.h5").close()
+        assert differing(tmp_path / "alone.h5", tmp_path / "run.h5") == []
+
+    def test_shapes_that_cannot_be_shown_are_no_trouble_for_the_run(self, offer) -> None:
+        offered = offer()
+        begun(offered.feed, geometry__kind=["tesseract"])
+        offered.feed.frame(0, 0.0, {"position": np.zeros((1, 3))}, None)
+        offered.feed.end("complete", "")
+        offered.feed.close()
+
+    def test_a_run_that_never_begins_needs_no_address(self, offer) -> None:
+        offered = offer()
+        offered.feed.close()
+        assert offered.troubles == []
+        assert offered.feed._process.returncode is not None

@@ -1,0 +1,57 @@
+"""The page of a run that is watched: that of a trajectory, with a stream in place of all that moves."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import physsim
+from physsim.recording.column import FIXED_AXES
+from physsim.recording.layout import EVERYTHING
+from physsim.view.head import still_part
+from physsim.view.live_wire import Message
+from physsim.view.page import assembled
+from physsim.view.sections import Sections
+from physsim.view.stage import staged
+
+_UNIT = "_unit"
+_EXACT = "Numbers are those of the file, bit for bit."
+_SAMPLED = "Frames are those that were the newest when they were sent; the file has all of them."
+
+
+def live_page(begin: Message) -> bytes:
+    """The page for the message that begins a run. Raises ValueError when its parts do not fit together."""
+    facts, texts = begin.facts, begin.facts["texts"]
+
+    def value(path: str) -> Any:
+        return texts.get(path, begin.arrays.get(path))
+
+    sections = Sections()
+    head = {
+        "about": {
+            "title": facts["title"],
+            "file": facts["file"],
+            "status": "running",
+            "detail": "",
+            "physsim_version": physsim.__version__,
+            "frames_in_file": 0,
+            "notes": [_EXACT, _SAMPLED],
+        },
+        **still_part(staged(facts["title"], value), sections),
+        "units": {path.removesuffix(_UNIT): some for path, some in texts.items() if path.endswith(_UNIT)},
+        "live": {"frames": "frames", "duration": facts["duration"], "tracks": _tracks()},
+        "sections": sections.heads,
+    }
+    return b"".join(assembled(facts["title"] or facts["file"], head, sections.data, "'self'"))
+
+
+def _tracks() -> list[dict[str, Any]]:
+    """Every dataset that a frame may have, with its unit and the numbers of a row."""
+    return [
+        {
+            "name": column.path,
+            "unit": "" if column.units == "1" else column.units,
+            "components": len(FIXED_AXES.get(column.dims[-1], ("",))),
+        }
+        for column in EVERYTHING
+        if column.grows_along == "time"
+    ]
