@@ -83,7 +83,7 @@ export class Bodies {
 
   private row(subject: Subject): HTMLButtonElement {
     const name = subject.what === "body" ? subject.body.name : subject.link.name;
-    const more = subject.what === "body" ? `${subject.body.material}${subject.body.fixed ? ", fixed" : ""}`
+    const more = subject.what === "body" ? [subject.body.material, subject.body.fixed ? "fixed" : ""].filter(Boolean).join(", ")
       : `${subject.link.kind} ${subject.what}`;
     const swatch = element("span", { class: `swatch ${subject.what}` });
     if (subject.what === "body") swatch.style.setProperty("--swatch", subject.body.colour);

@@ -3,7 +3,7 @@
 import type { Player } from "../player";
 import type { Body, Contacts, Link, Recording } from "../recording";
 import { button, element, icon, setText } from "./dom";
-import { count, number, quantity } from "./format";
+import { count, exact, quantity } from "./format";
 import { FOLLOW } from "./icons";
 import { emptyNumbers, readBody, turnInWords, type BodyNumbers } from "./numbers";
 import { Reading } from "./reading";
@@ -119,8 +119,8 @@ export class BodyCard {
 }
 
 function facts(body: Body): string {
-  const mass = Number.isFinite(body.mass) ? `${number(body.mass, 6)}\u202fkg` : "no mass: a half-space";
-  return `${body.material} · ${mass}${body.fixed ? " · fixed" : ""}`;
+  const mass = Number.isFinite(body.mass) ? `${exact(body.mass)}\u202fkg` : "a half-space: no mass";
+  return [body.material || "no material", mass, body.fixed ? "fixed" : ""].filter(Boolean).join(" · ");
 }
 
 /** First order: d(m v^2 / 2 + w I w / 2) = m v dv + I w dw. */

@@ -29,6 +29,11 @@ export function number(value: number, digits = 4, error = 0): string {
   return signed(value, Math.min(decimals, Math.max(0, digits - 1 - exponent)));
 }
 
+/** A number that is known exactly, with at most seven digits and no zeros at its end. */
+export function exact(value: number): string {
+  return number(value, 7).replace(/(\.\d*?)0+(?=\D|$)/, "$1").replace(/\.(?=\D|$)/, "");
+}
+
 /** With a fixed number of decimals; never "−0.00". */
 export function signed(value: number, decimals: number): string {
   const text = Math.abs(value).toFixed(decimals);

@@ -12,6 +12,8 @@ const POINTER = [
   ["click in a plot", "go to that time"],
 ] as const;
 
+const GROUPS = ["Play", "View", "Show", "Panels"] as const;
+
 /** A function that opens the help, and closes it again. */
 export function help(root: HTMLElement, shortcuts: readonly Shortcut[]): () => void {
   const box = element("dialog", { class: "sheet help", "aria-labelledby": "help-title" });
@@ -19,7 +21,8 @@ export function help(root: HTMLElement, shortcuts: readonly Shortcut[]): () => v
   box.append(
     element("header", {}, element("h2", { id: "help-title" }, "Keys, mouse, fingers"), close),
     element("div", { class: "help-columns" },
-      table("Keys", shortcuts.map((one) => [one.print, one.does])), table("Mouse and fingers", POINTER)),
+      ...GROUPS.map((group) => table(group, shortcuts.filter((one) => one.group === group).map((one) => [one.print, one.does]))),
+      table("Mouse and fingers", POINTER)),
   );
   box.addEventListener("click", (event) => event.target === box && box.close());
   root.append(box);
@@ -27,8 +30,9 @@ export function help(root: HTMLElement, shortcuts: readonly Shortcut[]): () => v
 }
 
 function table(name: string, rows: readonly (readonly [string, string])[]): HTMLElement {
+  const asKeys = (text: string): (Node | string)[] => (rows === POINTER ? [text] : caps(text));
   const lines = rows.map(([keys, does]) =>
-    element("tr", {}, element("th", { scope: "row" }, ...caps(keys)), element("td", {}, does)));
+    element("tr", {}, element("th", { scope: "row" }, ...asKeys(keys)), element("td", {}, does)));
   return element("section", {}, element("h3", {}, name), element("table", {}, element("tbody", {}, ...lines)));
 }
 

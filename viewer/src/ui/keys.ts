@@ -6,6 +6,7 @@ export interface Shortcut {
   /** As people read them. */
   print: string;
   does: string;
+  group: "Play" | "View" | "Show" | "Panels";
   act: (key: string) => void;
 }
 

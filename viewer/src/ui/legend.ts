@@ -6,7 +6,7 @@ import type { World } from "../world";
 import { materialNumbers, PATTERNS } from "./colouring";
 import { element, setText } from "./dom";
 import type { ContactDrawing } from "./draw/contacts";
-import { quantity } from "./format";
+import { exact, quantity } from "./format";
 import { paced } from "./pace";
 import { viridisGradient } from "./palette";
 import type { Store } from "./settings";
@@ -62,7 +62,7 @@ export class Legend {
       const swatch = element("span", { class: `swatch pattern-${n % PATTERNS}` });
       const colour = this.recording.placed.find((placed) => placed.material === material)?.colour ?? "";
       swatch.style.setProperty("--swatch", colour);
-      return element("div", { class: "row" }, swatch, material);
+      return element("div", { class: "row" }, swatch, material || "no material");
     });
     if (numbers.size > MOST_MATERIALS) rows.push(element("div", { class: "row" }, `and ${numbers.size - MOST_MATERIALS} more`));
     return rows;
@@ -87,9 +87,9 @@ export class Legend {
     if (this.forces.hidden) return;
     const { length, force, longest } = this.contacts.forceScale;
     this.forces.replaceChildren(
-      element("div", { class: "row" }, element("span", { class: "sign sticks" }), "sticks"),
-      element("div", { class: "row" }, element("span", { class: "sign slides" }), "slides"),
-      element("div", { class: "row" }, element("span", { class: "sign arrow" }), `${inMetres(length)} of arrow: ${quantity(force, "N", 3)}`),
+      element("div", { class: "row" }, element("span", { class: "sign sticks" }), "contact that sticks"),
+      element("div", { class: "row" }, element("span", { class: "sign slides" }), "contact that slides"),
+      element("div", { class: "row" }, element("span", { class: "sign arrow" }), `${inMetres(length)} of arrow: ${exact(force)}\u202fN`),
       element("div", { class: "row" }, element("span", { class: "sign arrow cut" }), `thick: stronger, cut at ${inMetres(longest)}`),
     );
   }

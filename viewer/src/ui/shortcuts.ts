@@ -30,47 +30,47 @@ export function shortcuts(parts: Parts): Shortcut[] {
 
 function playing({ app: { player } }: Parts): Shortcut[] {
   return [
-    { keys: [" ", "k"], print: "Space", does: "play, pause", act: () => player.toggle() },
-    { keys: ["ArrowRight", "."], print: "→  .", does: "one frame forward", act: () => player.step(1) },
-    { keys: ["ArrowLeft", ","], print: "←  ,", does: "one frame back", act: () => player.step(-1) },
-    { keys: ["ArrowUp", "PageUp"], print: "↑", does: "ten frames forward", act: () => player.step(10) },
-    { keys: ["ArrowDown", "PageDown"], print: "↓", does: "ten frames back", act: () => player.step(-10) },
-    { keys: ["Home"], print: "Home", does: "to the start", act: () => player.seek(player.start) },
-    { keys: ["End"], print: "End", does: "to the end", act: () => player.seek(player.end) },
-    { keys: ["]"], print: "]", does: "faster", act: () => player.setSpeed(nextSpeed(player.speed, 1)) },
-    { keys: ["["], print: "[", does: "slower", act: () => player.setSpeed(nextSpeed(player.speed, -1)) },
-    { keys: SPEED_KEYS.map((_, i) => String(i + 1)), print: "1 to 9", does: "speed 0.01× to 100×; 5: real time",
+    { keys: [" ", "k"], print: "Space", group: "Play", does: "play, pause", act: () => player.toggle() },
+    { keys: ["ArrowRight", "."], print: "→  .", group: "Play", does: "one frame forward", act: () => player.step(1) },
+    { keys: ["ArrowLeft", ","], print: "←  ,", group: "Play", does: "one frame back", act: () => player.step(-1) },
+    { keys: ["ArrowUp", "PageUp"], print: "↑", group: "Play", does: "ten frames forward", act: () => player.step(10) },
+    { keys: ["ArrowDown", "PageDown"], print: "↓", group: "Play", does: "ten frames back", act: () => player.step(-10) },
+    { keys: ["Home"], print: "Home", group: "Play", does: "to the start", act: () => player.seek(player.start) },
+    { keys: ["End"], print: "End", group: "Play", does: "to the end", act: () => player.seek(player.end) },
+    { keys: ["]"], print: "]", group: "Play", does: "faster", act: () => player.setSpeed(nextSpeed(player.speed, 1)) },
+    { keys: ["["], print: "[", group: "Play", does: "slower", act: () => player.setSpeed(nextSpeed(player.speed, -1)) },
+    { keys: SPEED_KEYS.map((_, i) => String(i + 1)), print: "1 to 9", group: "Play", does: "speed 0.01× to 100×; 5: real time",
       act: (key) => player.setSpeed(SPEED_KEYS[Number(key) - 1]) },
-    { keys: ["l"], print: "L", does: "play in a loop", act: () => player.setLoop(!player.loop) },
+    { keys: ["l"], print: "L", group: "Play", does: "play in a loop", act: () => player.setLoop(!player.loop) },
   ];
 }
 
 function seeing({ app: { world }, store, selection }: Parts): Shortcut[] {
   return [
-    { keys: ["f"], print: "F", does: "follow the selected body, let go", act: () => selection.toggleFollow() },
-    { keys: ["r"], print: "R", does: "show all that moves", act: () => world.frameAll() },
-    { keys: ["t"], print: "T", does: "trails: none, selected body, all", act: () => next(store, "trails", TRAILS) },
-    { keys: ["v"], print: "V", does: "colours by material, speed, body", act: () => next(store, "colouring", COLOURINGS) },
-    { keys: ["d"], print: "D", does: "as the system, light, dark", act: () => next(store, "theme", THEMES) },
+    { keys: ["f"], print: "F", group: "View", does: "follow the selected body, let go", act: () => selection.toggleFollow() },
+    { keys: ["r"], print: "R", group: "View", does: "show all that moves", act: () => world.frameAll() },
+    { keys: ["t"], print: "T", group: "View", does: "trails: none, selected body, all", act: () => next(store, "trails", TRAILS) },
+    { keys: ["v"], print: "V", group: "View", does: "colours by material, speed, body", act: () => next(store, "colouring", COLOURINGS) },
+    { keys: ["d"], print: "D", group: "View", does: "as the system, light, dark", act: () => next(store, "theme", THEMES) },
   ];
 }
 
 function switches({ app: { recording }, store }: Parts): Shortcut[] {
   return SWITCHES.filter((one) => one.shortcut).map(({ key, name, shortcut, missing }) => ({
-    keys: [shortcut.toLowerCase()], print: shortcut, does: name.toLowerCase(),
+    keys: [shortcut.toLowerCase()], print: shortcut, group: "Show", does: name.toLowerCase(),
     act: () => !missing(recording) && store.flip(key),
   }));
 }
 
 function panelKeys({ panels, selection, openHelp, findPlot, findBody }: Parts): Shortcut[] {
   return [
-    { keys: ["/"], print: "/", does: "search for a body", act: findBody },
-    { keys: ["p"], print: "P", does: "plots", act: () => panels.toggle("Plots") },
-    { keys: ["+"], print: "+", does: "search for a quantity to plot", act: findPlot },
-    { keys: ["i"], print: "I", does: "about this page", act: () => panels.toggle("About") },
-    { keys: ["Escape"], print: "Esc", does: "deselect; close panels",
+    { keys: ["/"], print: "/", group: "Panels", does: "search for a body", act: findBody },
+    { keys: ["p"], print: "P", group: "Panels", does: "plots", act: () => panels.toggle("Plots") },
+    { keys: ["+"], print: "+", group: "Panels", does: "search for a quantity to plot", act: findPlot },
+    { keys: ["i"], print: "I", group: "Panels", does: "about this page", act: () => panels.toggle("About") },
+    { keys: ["Escape"], print: "Esc", group: "Panels", does: "deselect; close panels",
       act: () => (selection.subject ? selection.select(null) : panels.closeAll()) },
-    { keys: ["?", "h"], print: "?  H", does: "this help", act: openHelp },
+    { keys: ["?", "h"], print: "?  H", group: "Panels", does: "this help", act: openHelp },
   ];
 }
 

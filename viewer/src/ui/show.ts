@@ -2,7 +2,7 @@
 
 import type { Recording } from "../recording";
 import { element } from "./dom";
-import type { Colouring, Settings, Store, Switch, ThemeChoice, Trails } from "./settings";
+import type { Settings, Store, Switch } from "./settings";
 
 interface SwitchRow {
   key: Switch;
@@ -28,22 +28,24 @@ export const SWITCHES: readonly SwitchRow[] = [
   { key: "shadows", name: "Shadows", shortcut: "", missing: always },
 ];
 
-const COLOURINGS: Record<Colouring, string> = { material: "Material", speed: "Speed", body: "Body" };
-const TRAILS: Record<Trails, string> = { none: "None", selected: "Selected", all: "All" };
-const THEMES: Record<ThemeChoice, string> = { auto: "System", light: "Light", dark: "Dark" };
-const SIZES: Record<string, string> = { 0.25: "¼×", 0.5: "½×", 1: "1×", 2: "2×", 4: "4×" };
-const LENGTHS: Record<string, string> = { 0.1: "0.1\u202fs", 1: "1\u202fs", 10: "10\u202fs", Infinity: "Whole" };
+type Options<K extends keyof Settings> = readonly (readonly [Settings[K], string])[];
+
+const COLOURINGS: Options<"colouring"> = [["material", "Material"], ["speed", "Speed"], ["body", "Body"]];
+const TRAILS: Options<"trails"> = [["none", "None"], ["selected", "Selected"], ["all", "All"]];
+const THEMES: Options<"theme"> = [["auto", "System"], ["light", "Light"], ["dark", "Dark"]];
+const SIZES: Options<"arrowSize"> = [[0.25, "¼×"], [0.5, "½×"], [1, "1×"], [2, "2×"], [4, "4×"]];
+const LENGTHS: Options<"trailLength"> = [[0.1, "0.1\u202fs"], [1, "1\u202fs"], [10, "10\u202fs"], [Infinity, "Whole"]];
 
 /** The panel. */
 export function showPanel(recording: Recording, store: Store): HTMLElement {
   return element(
     "div", { class: "show" },
     element("div", { class: "switches" }, ...SWITCHES.map((row) => switchOf(recording, store, row))),
-    choice(store, "colouring", "Colours by (V)", COLOURINGS, (text) => text as Colouring),
-    choice(store, "trails", "Trails (T)", TRAILS, (text) => text as Trails),
-    choice(store, "trailLength", "Length of trails", LENGTHS, Number),
-    choice(store, "arrowSize", "Size of force arrows", SIZES, Number),
-    choice(store, "theme", "Light or dark (D)", THEMES, (text) => text as ThemeChoice),
+    choice(store, "colouring", "Colours by (V)", COLOURINGS),
+    choice(store, "trails", "Trails (T)", TRAILS),
+    choice(store, "trailLength", "Length of trails", LENGTHS),
+    choice(store, "arrowSize", "Size of force arrows", SIZES),
+    choice(store, "theme", "Light or dark (D)", THEMES),
   );
 }
 
@@ -57,16 +59,14 @@ function switchOf(recording: Recording, store: Store, { key, name, shortcut, mis
 }
 
 /** One of a few, as radio buttons in a row. */
-function choice<K extends keyof Settings>(
-  store: Store, key: K, name: string, options: Record<string, string>, read: (text: string) => Settings[K],
-): HTMLElement {
+function choice<K extends keyof Settings>(store: Store, key: K, name: string, options: Options<K>): HTMLElement {
   const set = element("fieldset", { class: "choice" }, element("legend", {}, name));
-  const boxes = Object.entries(options).map(([value, text]) => {
-    const box = element("input", { type: "radio", name: key, value });
-    box.addEventListener("change", () => store.set(key, read(value)));
+  const boxes = options.map(([value, text]) => {
+    const box = element("input", { type: "radio", name: key, value: String(value) });
+    box.addEventListener("change", () => store.set(key, value));
     set.append(element("label", {}, box, element("span", {}, text)));
     return box;
   });
-  store.watch([key], () => boxes.forEach((box) => (box.checked = read(box.value) === store.now[key])));
+  store.watch([key], () => boxes.forEach((box, i) => (box.checked = options[i][0] === store.now[key])));
   return set;
 }

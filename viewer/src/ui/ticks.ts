@@ -26,7 +26,7 @@ export function ticks(low: number, high: number, wanted: number): Ticks {
   if (!(high > low) || !Number.isFinite(high - low)) return { values: [low], exponent: 0, labels: [short(low)] };
   const step = roundAbove((high - low) / Math.max(1, wanted));
   const values: number[] = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) values.push(i * step);
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) values.push(i * step + 0);
   const exponent = powerOf(Math.max(Math.abs(low), Math.abs(high)));
   const decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step) + 1e-9) + exponent));
   const labels = values.map((value) => fixed(value / 10 ** exponent, decimals));

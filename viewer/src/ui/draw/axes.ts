@@ -1,6 +1,6 @@
 // Axes with letters: of the world at its origin, and of each body at its own.
 
-import { CanvasTexture, Color, Group, Sprite, SpriteMaterial, Vector3 } from "three";
+import { CanvasTexture, Color, Group, Sprite, SpriteMaterial, SRGBColorSpace, Vector3 } from "three";
 import type { Moment } from "../../player";
 import type { Recording } from "../../recording";
 import type { World } from "../../world";
@@ -89,7 +89,9 @@ function sign(letter: string, ink: string): Sprite {
     context.fillStyle = ink;
     context.fillText(letter, 32, 34);
   }
-  const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false, sizeAttenuation: false }));
+  const map = new CanvasTexture(canvas);
+  map.colorSpace = SRGBColorSpace;
+  const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, sizeAttenuation: false, toneMapped: false }));
   sprite.scale.setScalar(0.045);
   sprite.renderOrder = 9;
   return sprite;

@@ -2,6 +2,8 @@
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Points, ShaderMaterial, type Color } from "three";
 
+const MANY = 60;
+
 export const DISC = 0;
 export const DIAMOND = 1;
 /** The sign of the centre of mass: quarters in turns light and dark. */
@@ -44,7 +46,7 @@ export class Marks {
   private shape!: BufferAttribute;
   private readonly geometry = new BufferGeometry();
 
-  /** `size` in CSS pixels, `ratio` device pixels of one. */
+  /** size: in CSS pixels; among many marks a third smaller. */
   constructor(private readonly size: number) {
     const material = new ShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { size: { value: size } }, depthTest: false,
@@ -54,7 +56,7 @@ export class Marks {
     this.points.frustumCulled = false;
     this.points.renderOrder = 8;
     this.points.onBeforeRender = (renderer) => {
-      material.uniforms.size.value = this.size * renderer.getPixelRatio();
+      material.uniforms.size.value = (this.used > MANY ? 0.65 : 1) * this.size * renderer.getPixelRatio();
       material.uniformsNeedUpdate = true;
     };
     this.reserve(256);

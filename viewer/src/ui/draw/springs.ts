@@ -5,7 +5,7 @@
 // The number of turns stays; only h stretches (linear) or only f winds up (torsional).
 
 import {
-  Color, DynamicDrawUsage, Group, InstancedBufferAttribute, InstancedBufferGeometry, Float32BufferAttribute, Mesh, ShaderMaterial,
+  Color, DynamicDrawUsage, GreaterDepth, Group, InstancedBufferAttribute, InstancedBufferGeometry, Float32BufferAttribute, Mesh, ShaderMaterial,
   Vector3,
 } from "three";
 import type { Moment } from "../../player";
@@ -61,9 +61,10 @@ const VERTEX = `
 
 const FRAGMENT = `
   uniform vec3 tint;
+  uniform float opacity;
   varying vec3 vNormal;
   void main() {
-    gl_FragColor = vec4(tint * (0.35 + 0.65 * abs(normalize(vNormal).z)), 1.0);
+    gl_FragColor = vec4(tint * (0.35 + 0.65 * abs(normalize(vNormal).z)), opacity);
     #include <colorspace_fragment>
   }`;
 
@@ -74,7 +75,7 @@ export class SpringDrawing {
   private readonly group = new Group();
   private readonly geometry = new InstancedBufferGeometry();
   private readonly attributes: Record<"from" | "axis" | "side" | "bend", InstancedBufferAttribute>;
-  private readonly ends = new Marks(7);
+  private readonly ends = new Marks(6);
   private readonly radii: number[];
   private readonly angles: Track | null;
   private readonly a = new Vector3();
@@ -107,10 +108,7 @@ export class SpringDrawing {
     this.geometry.setIndex(index);
     for (const [name, one] of Object.entries(this.attributes)) this.geometry.setAttribute(name, one);
     this.geometry.instanceCount = this.recording.springs.length;
-    const material = new ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { tint: { value: WIRE } } });
-    const mesh = new Mesh(this.geometry, material);
-    mesh.frustumCulled = false;
-    this.group.add(mesh, this.ends.points);
+    this.group.add(wire(this.geometry, 1), wire(this.geometry, 0.22), this.ends.points);
     for (let i = 0; i < this.radii.length; i++) this.attributes.side.setXYZ(i, 1, 0, 0);
   }
 
@@ -173,6 +171,17 @@ export class SpringDrawing {
   private toView(point: Vector3): void {
     this.world.toView(point.x, point.y, point.z, point);
   }
+}
+
+/** What lies behind bodies is drawn faintly, by a second mesh with an opacity below 1. */
+function wire(geometry: InstancedBufferGeometry, opacity: number): Mesh {
+  const behind = opacity < 1;
+  const mesh = new Mesh(geometry, new ShaderMaterial({
+    vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { tint: { value: WIRE }, opacity: { value: opacity } },
+    transparent: behind, depthWrite: !behind, ...(behind ? { depthFunc: GreaterDepth } : {}),
+  }));
+  mesh.frustumCulled = false;
+  return mesh;
 }
 
 function attribute(count: number): InstancedBufferAttribute {
