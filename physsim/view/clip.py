@@ -26,8 +26,8 @@ class Clip:
     trajectory: Trajectory
     times: FloatArray
 
-    def blocks(self, bodies: npt.NDArray[np.intp]) -> Iterator[tuple[slice, FloatArray, FloatArray]]:
-        """Which times, positions (m, bodies, 3) [m] and orientations (m, bodies, 4) of unit length.
+    def blocks(self) -> Iterator[tuple[slice, FloatArray, FloatArray]]:
+        """Which times, positions (m, N, 3) [m] and orientations (m, N, 4), of unit length, of all bodies.
 
         Between frames positions go along straight lines, orientations along arcs. A block takes some 16 MB,
         however long the trajectory. Raises FileTrouble where a pose is no number.
@@ -39,20 +39,24 @@ class Clip:
         while first < len(self.times):
             stop = max(first + 1, int(np.searchsorted(work, before[first] + first + at_once)))
             part = slice(first, stop)
-            yield part, *self._poses(before[part], after[part], fraction[part], bodies)
+            yield part, *self._poses(before[part], after[part], fraction[part])
             first = stop
+
+    def first(self) -> tuple[FloatArray, FloatArray]:
+        """Positions (N, 3) [m] and orientations (N, 4) at the first of the times."""
+        _, positions, orientations = next(Clip(self.trajectory, self.times[:1]).blocks())
+        return positions[0], orientations[0]
 
     def _poses(
         self,
         before: npt.NDArray[np.intp],
         after: npt.NDArray[np.intp],
         fraction: FloatArray,
-        bodies: npt.NDArray[np.intp],
     ) -> tuple[FloatArray, FloatArray]:
         frames = slice(int(before[0]), int(after[-1]) + 1)
         low, high, share = before - frames.start, after - frames.start, fraction[:, None, None]
-        positions = self.trajectory.position[frames][:, bodies]
-        orientations = self.trajectory.orientation[frames][:, bodies]
+        positions = self.trajectory.position[frames]
+        orientations = self.trajectory.orientation[frames]
         lengths = np.linalg.norm(orientations, axis=-1)
         if not (np.isfinite(positions).all() and (np.abs(lengths - 1) < NOT_UNIT).all()):
             span = self.trajectory.time[frames][[0, -1]]
@@ -60,13 +64,14 @@ class Clip:
                 f"{self.trajectory.path}: has poses that are no poses between {span[0]:g} s and "
                 f"{span[1]:g} s; --until ends before them"
             )
-        rows = len(before) * len(bodies)
+        bodies = positions.shape[1]
+        rows = len(before) * bodies
         turned = between(
             orientations[low].reshape(rows, 4),
             orientations[high].reshape(rows, 4),
-            np.repeat(fraction, len(bodies)),
+            np.repeat(fraction, bodies),
         )
-        return (1 - share) * positions[low] + share * positions[high], turned.reshape(-1, len(bodies), 4)
+        return (1 - share) * positions[low] + share * positions[high], turned.reshape(-1, bodies, 4)
 
 
 def clip_of(

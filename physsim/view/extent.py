@@ -37,8 +37,8 @@ def bounds(clip: Clip, around: FloatArray) -> tuple[FloatArray, FloatArray]:
     if bodies.size == 0:
         return -np.ones(3), np.ones(3)
     chosen = np.unique(np.linspace(0, len(clip.times) - 1, min(LOOKED_AT, len(clip.times))).astype(int))
-    poses = list(Clip(clip.trajectory, clip.times[chosen]).blocks(bodies))
+    poses = list(Clip(clip.trajectory, clip.times[chosen]).blocks())
     reach = around[bodies, None]
-    low = np.min([(positions - reach).min(axis=(0, 1)) for _, positions, _ in poses], axis=0)
-    high = np.max([(positions + reach).max(axis=(0, 1)) for _, positions, _ in poses], axis=0)
+    low = np.min([(positions[:, bodies] - reach).min(axis=(0, 1)) for _, positions, _ in poses], axis=0)
+    high = np.max([(positions[:, bodies] + reach).max(axis=(0, 1)) for _, positions, _ in poses], axis=0)
     return low, high

@@ -21,7 +21,8 @@ from physsim.view.clip import Clip, clip_of
 from physsim.view.extent import bounds, radii
 from physsim.view.glb_file import Binary, write_glb
 from physsim.view.gltf_camera import with_camera
-from physsim.view.gltf_motion import animate, precision
+from physsim.view.gltf_links import LOOKS, LinkMover, break_times, drawn_links, link_meshes, link_nodes
+from physsim.view.gltf_motion import BodyMover, Mover, animate
 from physsim.view.gltf_stage import Figures, body_nodes, shapes
 from physsim.view.stage import FloatArray, Stage, stage_of
 from physsim.view.tessellate import Placed, tessellated
@@ -80,20 +81,28 @@ def _write(path: Path, stage: Stage, clip: Clip, wishes: Wishes, binary: Binary)
     meshes, placed = tessellated(stage, FINENESS if len(stage.solids) <= MANY else FINENESS_OF_MANY, 1.0)
     around = radii(stage, meshes, placed)
     low, high = bounds(clip, around)
-    everyone = np.arange(len(stage.actors))
-    _, positions, orientations = next(Clip(clip.trajectory, clip.times[:1]).blocks(everyone))
-    wide = on_ground(stage, placed, positions[0], low, high)
-    figures = Figures(shapes(meshes, binary))
-    bodies, parts = body_nodes(stage, wide, figures, positions[0], orientations[0])
+    first = clip.first()
+    placed = on_ground(stage, placed, first[0], low, high)
     movers = np.flatnonzero([not actor.fixed for actor in stage.actors])
     tolerance = default_tolerance(around[movers]) if wishes.tolerance is None else wishes.tolerance
-    motion = animate(clip, movers, precision(tolerance, around[movers]), binary, path.parent)
-    document = with_root(stage, clip, bodies, parts, tolerance) | figures.document() | motion.document()
+
+    links = drawn_links(stage)
+    looks = {kind: LOOKS[kind] for kind in LOOKS if any(link.kind == kind for link in links)}
+    figures = Figures(shapes([*meshes, *(look.mesh() for look in looks.values())], binary))
+    nodes = body_nodes(stage, placed, figures, *first)
+    cast: list[Mover] = [BodyMover(movers, around[movers], tolerance)]
+    if links:
+        held = LinkMover(
+            links, len(nodes) + np.arange(len(links)), first, tolerance, break_times(clip.trajectory, links)
+        )
+        nodes += link_nodes(links, link_meshes(links, figures, len(meshes)), held.first)
+        cast.append(held)
+    motion = animate(clip, cast, binary, path.parent)
+
+    document = with_root(stage, clip, nodes, tolerance) | figures.document() | motion.document()
     size = write_glb(path, with_camera(document, low, high) if wishes.camera else document, binary)
-    largest = float(np.abs([low, high]).max())
-    return Written(
-        size, len(bodies), len(clip.times), motion.samples, motion.kept, tolerance, largest * ROUNDING
-    )
+    rounding = ROUNDING * float(np.abs([low, high]).max())
+    return Written(size, len(stage.actors), len(clip.times), motion.samples, motion.kept, tolerance, rounding)
 
 
 def default_tolerance(around: FloatArray) -> float:
@@ -117,12 +126,11 @@ def on_ground(
     return wide
 
 
-def with_root(
-    stage: Stage, clip: Clip, bodies: list[dict[str, Any]], parts: list[dict[str, Any]], tolerance: float
-) -> dict[str, Any]:
-    """The document of the nodes, bodies first, under one node with the title."""
+def with_root(stage: Stage, clip: Clip, nodes: Sequence[dict[str, Any]], tolerance: float) -> dict[str, Any]:
+    """The document of the nodes, all that are nobody's children under one node with the title."""
     title = stage.title or clip.trajectory.path.stem
-    root = {"name": title, "children": list(range(len(bodies)))}
+    children = {child for node in nodes for child in node.get("children", ())}
+    root = {"name": title, "children": [number for number in range(len(nodes)) if number not in children]}
     version = clip.trajectory.physsim_version
     facts = {
         "title": stage.title,
@@ -134,6 +142,6 @@ def with_root(
     return {
         "asset": {"version": "2.0", "generator": f"physsim {physsim.__version__}", "extras": facts},
         "scene": 0,
-        "scenes": [{"name": title, "nodes": [len(bodies) + len(parts)]}],
-        "nodes": [*bodies, *parts, root],
+        "scenes": [{"name": title, "nodes": [len(nodes)]}],
+        "nodes": [*nodes, root],
     }

@@ -1,12 +1,14 @@
-"""What moves in a glTF file: key frames of the bodies, as few as the tolerance allows."""
+"""What moves in a glTF file: key frames of its nodes, as few as the tolerance allows."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass, field
 from hashlib import blake2b
 from pathlib import Path
 from tempfile import TemporaryFile
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -23,23 +25,74 @@ STRAIGHT_ERROR = 0.004
 """A program that goes from one quaternion to the next along the straight line, as Blender does, and not along
 the arc, is off by no more than 0.004 a^3 for a turn of a [rad]: 2 (a/2)^3 max|t (1-t) (1-2t)| / 6."""
 
+Rows = npt.NDArray[np.intp]
+
 
 @dataclass(frozen=True)
-class Precision:
-    """How far a channel of each body may be off: positions (R) [m] and turns (R) [rad]."""
+class Track:
+    """One property of R nodes over time: path `translation`, `rotation` or `scale`.
 
-    shift: FloatArray
-    turn: FloatArray
-
-
-def precision(tolerance: float, radii: FloatArray) -> Precision:
-    """A quarter of the `tolerance` [m] each for positions and turns on the way, and as much again for motions
-    that are left out; a turn moves the points of a body by no more than its radius (R) [m] times the angle.
+    tolerance (R): by how much linear interpolation may be off, in the unit of `difference`, and how far a
+    value may stray from the first without being a motion. reach (R): as `Thinner` has it. encoded: values of
+    a scene in the axes of glTF. width: numbers of a value.
     """
-    share = tolerance / 4
-    return Precision(
-        np.full(len(radii), share), np.divide(share, radii, out=np.full(len(radii), share), where=radii > 0)
+
+    path: str
+    nodes: Rows
+    tolerance: FloatArray
+    reach: FloatArray
+    difference: Callable[[FloatArray, FloatArray], FloatArray]
+    encoded: Callable[[FloatArray], FloatArray]
+    width: int
+
+
+def translations(nodes: Rows, tolerance: FloatArray) -> Track:
+    """Where nodes are; tolerance (R) in m."""
+    return Track(
+        "translation", nodes, tolerance, np.full(len(nodes), np.inf), shift, gltf_axes.turned, width=3
     )
+
+
+def rotations(nodes: Rows, tolerance: FloatArray) -> Track:
+    """How nodes are turned; tolerance (R) in rad, which players that go straight keep as well."""
+    reach = np.cbrt(tolerance / STRAIGHT_ERROR)
+    return Track("rotation", nodes, tolerance, reach, turn, gltf_axes.quaternions, width=4)
+
+
+class Mover(Protocol):
+    """Some nodes whose motion follows from the poses of all bodies."""
+
+    @property
+    def tracks(self) -> Sequence[Track]:
+        """What moves of them."""
+
+    def values(
+        self, times: FloatArray, positions: FloatArray, orientations: FloatArray
+    ) -> Sequence[FloatArray]:
+        """Of each track (m, R, width), at times (m) [s] and poses (m, N, 3) [m] and (m, N, 4), later than
+        those before.
+        """
+
+
+class BodyMover:
+    """Bodies (R), whose nodes have their numbers. tolerance [m]: how far any point of them may be off, and
+    radii (R) [m]: how far such points are from the origin of a body.
+
+    A quarter of it each is for positions and turns on the way, and for positions and turns that are left out;
+    a turn by an angle moves a point by no more than the radius times the angle.
+    """
+
+    def __init__(self, bodies: Rows, radii: FloatArray, tolerance: float) -> None:
+        share = np.full(len(bodies), tolerance / 4)
+        angle = np.divide(share, radii, out=share.copy(), where=radii > 0)
+        self.tracks = [translations(bodies, share), rotations(bodies, angle)]
+        self._bodies = bodies
+        self._before: FloatArray | None = None
+
+    def values(self, _: FloatArray, positions: FloatArray, orientations: FloatArray) -> Sequence[FloatArray]:
+        signed = in_one_hemisphere(orientations[:, self._bodies], self._before)
+        self._before = signed[-1]
+        return [positions[:, self._bodies], signed]
 
 
 @dataclass
@@ -55,7 +108,7 @@ class Animation:
     kept: int = 0
     _known: dict[bytes, int] = field(default_factory=dict)
 
-    def add(self, node: int, path: str, samples: npt.NDArray[np.intp], values: FloatArray) -> None:
+    def add(self, node: int, path: str, samples: Rows, values: FloatArray) -> None:
         """Key frames of one property of a node, at these samples of the clock."""
         times = self._times(samples)
         self.samplers.append({"input": times, "output": self.binary.add(values.astype(np.float32))})
@@ -73,7 +126,7 @@ class Animation:
             return {}
         return {"animations": [{"name": "motion", "samplers": self.samplers, "channels": self.channels}]}
 
-    def _times(self, samples: npt.NDArray[np.intp]) -> int:
+    def _times(self, samples: Rows) -> int:
         """Channels with key frames at the same instants share their times."""
         key = blake2b(samples.tobytes()).digest()
         if key not in self._known:
@@ -91,44 +144,48 @@ def clock(times: FloatArray) -> FloatArray:
     return since
 
 
-def animate(
-    clip: Clip, bodies: npt.NDArray[np.intp], fine: Precision, binary: Binary, folder: Path
-) -> Animation:
-    """Adds the motion of `bodies` (R), whose nodes have their numbers; what one does not do has no channel.
+def animate(clip: Clip, movers: Sequence[Mover], binary: Binary, folder: Path) -> Animation:
+    """Adds the motion of the movers; a node that does not do something has no channel for it.
 
     folder: where samples wait that do not fit into memory.
     """
     animation = Animation(clock(clip.times), binary)
-    with TemporaryFile(dir=folder) as one, TemporaryFile(dir=folder) as other:
-        positions, orientations = Spool(one, len(bodies), 3), Spool(other, len(bodies), 4)
-        thin(clip, bodies, fine, positions, orientations)
+    with ExitStack() as stack:
+        spools = [
+            [
+                Spool(stack.enter_context(TemporaryFile(dir=folder)), len(track.nodes), track.width)
+                for track in mover.tracks
+            ]
+            for mover in movers
+        ]
+        _thin(clip, movers, spools)
         binary.begin_view()
-        for row, (samples, values) in enumerate(positions.motions()):
-            if np.linalg.norm(values - values[0], axis=1).max() > fine.shift[row]:
-                animation.add(int(bodies[row]), "translation", samples, gltf_axes.turned(values))
-        for row, (samples, values) in enumerate(orientations.motions()):
-            first = np.broadcast_to(values[0], values.shape)
-            if np.linalg.norm(turn(first, values), axis=1).max() > fine.turn[row]:
-                animation.add(int(bodies[row]), "rotation", samples, gltf_axes.quaternions(values))
+        for mover, own in zip(movers, spools, strict=True):
+            for track, spool in zip(mover.tracks, own, strict=True):
+                _add(animation, track, spool)
     return animation
 
 
-def thin(
-    clip: Clip, bodies: npt.NDArray[np.intp], fine: Precision, positions: Spool, orientations: Spool
-) -> None:
+def _thin(clip: Clip, movers: Sequence[Mover], spools: Sequence[Sequence[Spool]]) -> None:
     """Reads the clip once and keeps the samples that are needed."""
-    anywhere = np.full(len(bodies), np.inf)
-    ways = Thinner(shift, fine.shift, anywhere)
-    turns = Thinner(turn, fine.turn, np.cbrt(fine.turn / STRAIGHT_ERROR))
-    before = None
-    for part, position, orientation in clip.blocks(bodies):
-        signed = in_one_hemisphere(orientation, before)
-        before = signed[-1]
-        for keys in ways.add(clip.times[part], position):
-            positions.add(keys)
-        for keys in turns.add(clip.times[part], signed):
-            orientations.add(keys)
-    for keys in ways.last():
-        positions.add(keys)
-    for keys in turns.last():
-        orientations.add(keys)
+    thinners = [
+        [Thinner(track.difference, track.tolerance, track.reach) for track in mover.tracks]
+        for mover in movers
+    ]
+    for part, *poses in clip.blocks():
+        for mover, own, kept in zip(movers, thinners, spools, strict=True):
+            for thinner, spool, values in zip(own, kept, mover.values(clip.times[part], *poses), strict=True):
+                for keys in thinner.add(clip.times[part], values):
+                    spool.add(keys)
+    for own, kept in zip(thinners, spools, strict=True):
+        for thinner, spool in zip(own, kept, strict=True):
+            for keys in thinner.last():
+                spool.add(keys)
+
+
+def _add(animation: Animation, track: Track, spool: Spool) -> None:
+    """A channel for each node that moves."""
+    for node, tolerance, (samples, values) in zip(track.nodes, track.tolerance, spool.motions(), strict=True):
+        stray = track.difference(np.broadcast_to(values[0], values.shape), values)
+        if np.linalg.norm(stray, axis=1).max() > tolerance:
+            animation.add(int(node), track.path, samples, track.encoded(values))

@@ -34,27 +34,34 @@ class Figures:
 
     def mesh(self, shape: int, solid: Solid) -> int:
         """The number of the mesh of a shape in the material of the solid."""
-        key = (shape, solid.material, solid.colour)
+        return self._mesh(shape, f"{solid.kind}, {solid.material}", solid.material, solid.colour)
+
+    def _mesh(self, shape: int, name: str, material: str, colour: str) -> int:
+        key = (shape, material, colour)
         if key not in self._known:
-            primitive = self.shapes[shape] | {"material": self._material(solid)}
-            self.meshes.append({"name": f"{solid.kind}, {solid.material}", "primitives": [primitive]})
+            primitive = self.shapes[shape] | {"material": self._material(material, colour)}
+            self.meshes.append({"name": name, "primitives": [primitive]})
             self._known[key] = len(self.meshes) - 1
         return self._known[key]
+
+    def plain(self, shape: int, name: str, colour: str) -> int:
+        """The number of the mesh of a shape that is no part of a body; the material has its name."""
+        return self._mesh(shape, name, name, colour)
 
     def document(self) -> dict[str, Any]:
         """The keys of the document that hold them; glTF forbids empty ones."""
         filled = {"materials": self.materials, "meshes": self.meshes}
         return {key: value for key, value in filled.items() if value}
 
-    def _material(self, solid: Solid) -> int:
-        key = (solid.material, solid.colour)
+    def _material(self, name: str, colour: str) -> int:
+        key = (name, colour)
         if key not in self._known:
             look = {
-                "baseColorFactor": [*linear_colour(solid.colour), 1.0],
+                "baseColorFactor": [*linear_colour(colour), 1.0],
                 "metallicFactor": METALNESS,
                 "roughnessFactor": ROUGHNESS,
             }
-            self.materials.append({"name": solid.material, "pbrMetallicRoughness": look})
+            self.materials.append({"name": name, "pbrMetallicRoughness": look})
             self._known[key] = len(self.materials) - 1
         return self._known[key]
 
@@ -82,11 +89,10 @@ def linear_colour(colour: str) -> list[float]:
 
 def body_nodes(
     stage: Stage, placed: Sequence[Placed], figures: Figures, positions: FloatArray, orientations: FloatArray
-) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+) -> list[dict[str, Any]]:
     """The nodes of the bodies in their order, at the poses (N, 3) [m] and (N, 4), and then those of solids.
 
-    A body whose one solid sits at its origin is that solid's node itself. Children are numbered from the
-    first body's node as 0.
+    A body whose one solid sits at its origin is that solid's node itself.
     """
     bodies = [
         pose(position, orientation) | {"name": actor.name, "extras": facts(actor)}
@@ -106,7 +112,7 @@ def body_nodes(
                 look | {"name": f"{body['name']}: {stage.solids[one.solid].kind}"}
                 for look, one in zip(looks, ones, strict=True)
             ]
-    return bodies, parts
+    return [*bodies, *parts]
 
 
 def solid_node(solid: Solid, placed: Placed, figures: Figures) -> dict[str, Any]:
