@@ -36,6 +36,10 @@ class Schedule:
     def has_frame(self, step: int) -> bool:
         return step % self.steps_per_frame == 0 or step == self.steps
 
+    def frame_at(self, step: int) -> int:
+        """The number of the frame that `step` has, from 0."""
+        return -(-step // self.steps_per_frame)
+
     def whole_frames(self, step: int) -> int:
         """Frames at multiples of `steps_per_frame` up to and with `step`."""
         return step // self.steps_per_frame + 1
@@ -171,7 +175,8 @@ class Loop:
         frame = self._measure.frame(self._world)
         self._recorder.append(self.step, self.time, frame, contacts)
         if self._onlooker is not None:
-            self._onlooker.frame(self.step, self.time, frame, contacts)
+            number = self._schedule.frame_at(self.step)
+            self._onlooker.frame(number, self.step, self.time, frame, contacts)
 
     def _contacts(self) -> Rows:
         """Of the last step; none in frame 0, when no step has been done."""

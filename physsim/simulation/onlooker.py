@@ -19,8 +19,10 @@ class Onlooker(Protocol):
         not grow, by path.
         """
 
-    def frame(self, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
-        """A frame that was recorded at `time` [s], rows by dataset path; contacts: None when not recorded."""
+    def frame(self, number: int, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
+        """What is recorded as frame `number` of the file, at `time` [s], rows by dataset path; contacts: None
+        when they are not recorded.
+        """
 
     def end(self, status: Status, detail: str) -> None:
         """How the run ended; the file is closed."""

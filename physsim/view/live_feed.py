@@ -13,7 +13,6 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -65,7 +64,7 @@ class Feed:
         self._first: _Frame | None = None
         self._newest: _Frame | None = None
         self._ending: Message | None = None
-        self._frames = 0
+        self._complained = False
         self._begun, self._over = threading.Event(), threading.Event()
         self._process = live_process.start(port)
         self._thread = threading.Thread(target=self._carry, name="physsim-watch", daemon=True)
@@ -80,11 +79,10 @@ class Feed:
         self._opening = Message("begin", facts, numbers)
         self._begun.set()
 
-    def frame(self, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
+    def frame(self, number: int, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
         """A recorded frame: seen when it is the first, or still the newest when the thread looks."""
-        self._newest = _Frame(self._frames, step, time, rows, contacts)
+        self._newest = _Frame(number, step, time, rows, contacts)
         self._first = self._first or self._newest
-        self._frames += 1
 
     def end(self, status: str, detail: str) -> None:
         """How the run ended; the last frame is always seen."""
@@ -111,23 +109,18 @@ class Feed:
         except (subprocess.TimeoutExpired, KeyboardInterrupt):
             pass
         finally:
-            self._process.kill()
-            self._process.wait()
+            live_process.stop(self._process)
             self._thread.join()
-            self._hang_up()
+            live_process.hang_up(self._process)
 
     def _say_goodbye(self) -> None:
         """The server leaves when its pipe ends, which must not be closed while the thread writes."""
         self._thread.join(LAST_SECONDS)
-        if not self._thread.is_alive():
-            self._hang_up()
-            self._process.wait(LAST_SECONDS)
-
-    def _hang_up(self) -> None:
-        for pipe in (self._process.stdin, self._process.stdout):
-            assert pipe is not None
-            with suppress(OSError):
-                pipe.close()
+        if self._thread.is_alive():
+            return
+        live_process.end_of_messages(self._process)
+        if self._process.wait(LAST_SECONDS):
+            self._complain(live_process.last_words(self._process))
 
     def _carry(self) -> None:
         """The thread: everything that is told, in order."""
@@ -138,9 +131,15 @@ class Feed:
                 self._send(self._opening, on_its_way=self._announce(address))
                 self._send_frames()
         except BrokenPipeError:
-            self._trouble("the server of the page has ended")
-        except (OSError, ValueError) as error:
-            self._trouble(str(error))
+            self._complain(live_process.last_words(self._process))
+        except OSError as error:
+            if self.began or not self._over.is_set():
+                self._complain(str(error))
+
+    def _complain(self, words: str) -> None:
+        if not self._complained:
+            self._complained = True
+            self._trouble(words)
 
     def _send_frames(self) -> None:
         sent = None

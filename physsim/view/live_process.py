@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import suppress
 from typing import Any
 
 MODULE = "physsim.view.live_server"
@@ -33,14 +34,44 @@ def start(port: int) -> subprocess.Popen[bytes]:
 
 def address(process: subprocess.Popen[bytes]) -> str:
     """Where the page is, once the server is there. Raises OSError with what it says when it is not."""
+    said = _said(process)
+    if "address" not in said:
+        raise OSError(said.get("trouble", "the server of the page did not start"))
+    return said["address"]
+
+
+def last_words(process: subprocess.Popen[bytes]) -> str:
+    """Why a server that told its address has ended."""
+    return _said(process).get("trouble", "the server of the page has ended")
+
+
+def end_of_messages(process: subprocess.Popen[bytes]) -> None:
+    """Nothing more will be told."""
+    assert process.stdin is not None
+    with suppress(OSError):
+        process.stdin.close()
+
+
+def stop(process: subprocess.Popen[bytes]) -> None:
+    """Ends the server, if it is still there."""
+    process.kill()
+    process.wait()
+
+
+def hang_up(process: subprocess.Popen[bytes]) -> None:
+    """Closes what leads to the server and from it."""
+    end_of_messages(process)
+    assert process.stdout is not None
+    process.stdout.close()
+
+
+def _said(process: subprocess.Popen[bytes]) -> dict[str, str]:
+    """The next line of the server; empty when it ended without a word."""
     assert process.stdout is not None
     try:
-        said = json.loads(process.stdout.readline())
-    except ValueError as error:
-        raise OSError("its process did not start") from error
-    if "trouble" in said:
-        raise OSError(said["trouble"])
-    return str(said["address"])
+        return dict(json.loads(process.stdout.readline()))
+    except ValueError:
+        return {}
 
 
 def _windows_flags() -> int:

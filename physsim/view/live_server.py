@@ -148,20 +148,24 @@ def _number(query: str) -> int:
     return -1
 
 
-def main() -> None:
-    """Says on stdout where the page is, shows what comes on stdin, and leaves when that ends."""
+def main() -> int:
+    """Says on stdout where the page is, shows what comes on stdin, and leaves when that ends.
+
+    Returns 1 when that could not be done, and says why.
+    """
     _step_back()
     show = Show()
     try:
         server = Server(int(sys.argv[1]), show)
-    except OSError as error:
-        _say(trouble=error.strerror or str(error))
-        return
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    _say(address=server.address)
-    _listen(show)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        _say(address=server.address)
+        _listen(show)
+    except Exception as error:
+        _say(trouble=f"the server of the page failed: {error}")
+        return 1
     show.close()
     show.wait_until_seen(LAST_SECONDS)
+    return 0
 
 
 def _listen(show: Show) -> None:
@@ -192,4 +196,4 @@ def _say(**said: str) -> None:
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

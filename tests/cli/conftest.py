@@ -29,7 +29,7 @@ def physsim(
 ) -> Callable[..., Outcome]:
     """`physsim("run", "a.yaml")` in an empty folder, in this process."""
     monkeypatch.chdir(tmp_path)
-    for name in ("NO_COLOR", "FORCE_COLOR", "PHYSSIM_DEBUG"):
+    for name in ("NO_COLOR", "FORCE_COLOR", "PHYSSIM_DEBUG", "DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
 
     def call(*arguments: str) -> Outcome:

@@ -14,7 +14,7 @@ PHYSSIM = [sys.executable, "-m", "physsim"]
 
 def clean_environment(**more: str) -> dict[str, str]:
     """The environment without what changes our output, and with this checkout importable from any folder."""
-    ours = ("NO_COLOR", "FORCE_COLOR", "PHYSSIM_DEBUG", "COLUMNS")
+    ours = ("NO_COLOR", "FORCE_COLOR", "PHYSSIM_DEBUG", "COLUMNS", "DISPLAY", "WAYLAND_DISPLAY", "BROWSER")
     kept = {name: value for name, value in os.environ.items() if name not in ours}
     return kept | {"PYTHONPATH": str(REPOSITORY)} | more
 

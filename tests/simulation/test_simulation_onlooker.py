@@ -22,15 +22,15 @@ class Notes:
     def __init__(self) -> None:
         self.begun: list[tuple[str, Path, float]] = []
         self.fixed: dict[str, Any] = {}
-        self.frames: list[tuple[int, float, dict[str, Any]]] = []
+        self.frames: list[tuple[int, int, float, dict[str, Any]]] = []
         self.ended: list[tuple[str, str]] = []
 
     def begin(self, title: str, file: Path, duration: float, fixed: Any) -> None:
         self.begun.append((title, file, duration))
         self.fixed = fixed
 
-    def frame(self, step: int, time: float, rows: Any, contacts: Any) -> None:
-        self.frames.append((step, time, {**rows, **(contacts or {})}))
+    def frame(self, number: int, step: int, time: float, rows: Any, contacts: Any) -> None:
+        self.frames.append((number, step, time, {**rows, **(contacts or {})}))
 
     def end(self, status: str, detail: str) -> None:
         self.ended.append((status, detail))
@@ -39,12 +39,13 @@ class Notes:
 def assert_told(notes: Notes, path: Path, first: int = 0) -> None:
     """What was written down is what the file has from a frame on."""
     with h5py.File(path) as file:
-        assert [step for step, _, _ in notes.frames] == file["step"][first:].tolist()
-        assert [time for _, time, _ in notes.frames] == file["time"][first:].tolist()
-        for frame, (_, _, rows) in enumerate(notes.frames, first):
-            start, stop = file["contacts/offset"][frame : frame + 2]
+        numbers = [number for number, *_ in notes.frames]
+        assert numbers == list(range(first, len(file["time"])))
+        for number, step, time, rows in notes.frames:
+            assert (step, time) == (file["step"][number], file["time"][number])
+            start, stop = file["contacts/offset"][number : number + 2]
             for name, value in rows.items():
-                there = file[name][start:stop] if name.startswith("contacts/") else file[name][frame]
+                there = file[name][start:stop] if name.startswith("contacts/") else file[name][number]
                 np.testing.assert_array_equal(there, value, strict=False)
 
 
