@@ -155,6 +155,8 @@ export interface Recording {
   readonly frames: number;
   /** Time of each frame [s], at least `frames` long, rising. */
   readonly times: Float64Array;
+  /** Whether frames may still come: a run that is being watched. */
+  readonly growing: boolean;
   /** Called whenever frames were added. Returns how to stop that. */
   onGrowth(call: () => void): () => void;
 

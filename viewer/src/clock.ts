@@ -1,0 +1,113 @@
+// The player: simulated time against the time of the wall.
+
+import { MomentFinder } from "./moment";
+import type { Moment, Player } from "./player";
+import type { Recording } from "./recording";
+
+/** After a pause of the browser (another tab was in front) time goes on from where it stood. */
+const LONGEST_STEP = 0.25;
+
+export class Clock implements Player {
+  readonly moment: Moment;
+  playing = false;
+  speed = 1;
+  loop = false;
+  /** Set when something changed; whoever draws asks for it. */
+  private changed = true;
+  private readonly finder: MomentFinder;
+  private readonly calls = new Set<() => void>();
+
+  /** `wake`: asks for a picture. */
+  constructor(
+    readonly recording: Recording,
+    private readonly wake: () => void,
+  ) {
+    this.finder = new MomentFinder(recording);
+    this.moment = this.finder.moment;
+    this.finder.show(this.start);
+    recording.onGrowth(() => this.touch());
+  }
+
+  get start(): number {
+    return this.recording.frames ? this.recording.times[0] : 0;
+  }
+
+  get end(): number {
+    return this.recording.frames ? this.recording.times[this.recording.frames - 1] : 0;
+  }
+
+  /** At the end of a recording that grows: waits there for what comes. */
+  play(): void {
+    const { growing } = this.recording;
+    if (this.end <= this.start && !growing) return;
+    if (this.moment.time >= this.end && !growing) this.finder.show(this.start);
+    this.playing = true;
+    this.touch();
+  }
+
+  pause(): void {
+    this.playing = false;
+    this.touch();
+  }
+
+  toggle(): void {
+    if (this.playing) this.pause();
+    else this.play();
+  }
+
+  seek(time: number): void {
+    if (!Number.isFinite(time)) return;
+    this.finder.show(Math.min(Math.max(time, this.start), this.end));
+    this.touch();
+  }
+
+  step(n: number): void {
+    this.playing = false;
+    const { recording, moment } = this;
+    if (!recording.frames || !Number.isFinite(n)) return;
+    const onFrame = moment.fraction === 0 || n > 0 ? moment.frame : moment.frame + 1;
+    const frame = Math.min(Math.max(onFrame + Math.trunc(n), 0), recording.frames - 1);
+    this.seek(recording.times[frame]);
+  }
+
+  setSpeed(speed: number): void {
+    if (!(speed > 0) || !Number.isFinite(speed)) return;
+    this.speed = speed;
+    this.touch();
+  }
+
+  setLoop(loop: boolean): void {
+    this.loop = loop;
+    this.touch();
+  }
+
+  onChange(call: () => void): () => void {
+    this.calls.add(call);
+    return () => this.calls.delete(call);
+  }
+
+  /** Goes on by so many seconds of the wall, and tells who listens. Called before each picture. */
+  advance(elapsed: number): void {
+    if (this.playing) this.goOn(Math.min(elapsed, LONGEST_STEP) * this.speed);
+    if (!this.changed) return;
+    this.changed = false;
+    for (const call of this.calls) call();
+  }
+
+  private goOn(seconds: number): void {
+    const time = this.moment.time + seconds;
+    if (this.recording.growing && this.moment.time >= this.end) return;
+    this.changed = true;
+    if (time < this.end) this.finder.show(time);
+    else if (this.loop) this.finder.show(this.start + ((time - this.start) % (this.end - this.start)));
+    else {
+      this.finder.show(this.end);
+      this.playing = this.recording.growing;
+    }
+  }
+
+  private touch(): void {
+    this.changed = true;
+    this.wake();
+  }
+}

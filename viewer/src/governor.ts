@@ -1,0 +1,83 @@
+// Keeps the picture fluent: lowers the quality when pictures take too long, raises it when there is time to spare.
+
+/** What the drawing costs most. */
+export interface Quality {
+  /** Pixels drawn for one pixel of the page, along each side. */
+  readonly pixels: number;
+  /** Side of the shadow map, 0: no shadows. */
+  readonly shadows: number;
+}
+
+const LEVELS: readonly Quality[] = [
+  { pixels: 2, shadows: 2048 },
+  { pixels: 1.5, shadows: 2048 },
+  { pixels: 1, shadows: 2048 },
+  { pixels: 1, shadows: 1024 },
+  { pixels: 1, shadows: 0 },
+  { pixels: 0.75, shadows: 0 },
+  { pixels: 0.5, shadows: 0 },
+];
+/** Pictures that take longer [s] are too slow, on average over `PATIENCE` seconds; shorter ones leave time to spare. */
+const TOO_SLOW = 1 / 34;
+const TO_SPARE = 1 / 50;
+const PATIENCE = 0.6;
+const CAUTION = 4;
+/** Times between pictures that say nothing: another tab was in front, or nothing was drawn for a while. */
+const INTERRUPTED = 0.5;
+/** After a change the first pictures compile shaders and make buffers. */
+const SETTLING = 3;
+
+export class Governor {
+  private level: number;
+  private readonly best: number;
+  private blocked = LEVELS.length;
+  private time = 0;
+  private pictures = 0;
+  private settling = SETTLING;
+
+  /** ratio: pixels of the screen for one of the page; software: whether the processor draws. */
+  constructor(ratio: number, software: boolean) {
+    const sharpest = LEVELS.findIndex((quality) => quality.pixels <= Math.max(1, ratio));
+    this.best = software ? Math.max(sharpest, 3) : sharpest;
+    this.level = this.best;
+  }
+
+  get quality(): Quality {
+    return LEVELS[this.level];
+  }
+
+  /** Says how long the last picture took [s]; true when the quality changed. Only while something moves. */
+  measure(elapsed: number): boolean {
+    if (elapsed > INTERRUPTED && this.pictures === 0) return false;
+    if (this.settling > 0) {
+      this.settling--;
+      return false;
+    }
+    this.time += elapsed;
+    this.pictures++;
+    const mean = this.time / this.pictures;
+    if (this.time > PATIENCE && mean > TOO_SLOW) return this.change(1);
+    if (this.time > CAUTION) {
+      if (mean < TO_SPARE && this.level - 1 >= this.best && this.level - 1 < this.blocked) return this.change(-1);
+      this.restart();
+    }
+    return false;
+  }
+
+  /** Nothing moves any more: what was measured so far counts no longer. */
+  restart(): void {
+    this.time = 0;
+    this.pictures = 0;
+  }
+
+  /** A level that was too slow is not tried again. */
+  private change(by: number): boolean {
+    const level = Math.min(LEVELS.length - 1, this.level + by);
+    if (by > 0) this.blocked = Math.min(this.blocked, this.level + 1);
+    this.restart();
+    this.settling = SETTLING;
+    const changed = level !== this.level;
+    this.level = level;
+    return changed;
+  }
+}

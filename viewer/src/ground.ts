@@ -1,0 +1,135 @@
+// Half-spaces as large squares, and the grid on the lowest of them.
+
+import {
+  BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
+  PlaneGeometry, Quaternion, Vector3, type Object3D,
+} from "three";
+import type { Moment } from "./player";
+import type { Placed, Recording } from "./recording";
+import { product, turned } from "./rotation";
+import type { Frame } from "./solids";
+
+/** Half the side of a floor, in radii of the scene. Walls are not larger than the scene. */
+const FLOOR = 12;
+const WALL = 1.3;
+/** A half-space whose normal points up so much is a floor. */
+const UPRIGHT = 0.8;
+/** Cells of the grid across the scene, about; it reaches so many radii. */
+const CELLS = 12;
+const REACH = 4;
+
+/** A half-space in view units. */
+interface Plane {
+  readonly point: Vector3;
+  readonly turn: Quaternion;
+  readonly normal: Vector3;
+}
+
+export interface GroundColours {
+  readonly floor: string;
+  readonly wall: string;
+  readonly lines: string;
+}
+
+export class Ground {
+  readonly group = new Group();
+  /** The squares, to be picked: `userData.body` says whose they are. */
+  readonly squares: Object3D[] = [];
+  private readonly floor = new MeshLambertMaterial({ side: FrontSide });
+  private readonly wall = new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.18, depthWrite: false });
+  private readonly lines = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
+  private readonly grid: LineSegments;
+
+  /** radius: of the scene, in view units; bottom: its lowest place, where there is no floor. */
+  constructor(recording: Recording, moment: Moment, frame: Frame, radius: number, bottom: number) {
+    const halfspaces = recording.placed.filter((placed) => placed.kind === "halfspace");
+    let lowest: Plane | null = null;
+    for (const placed of halfspaces) {
+      const plane = planeOf(placed, moment, frame);
+      const isFloor = plane.normal.z > UPRIGHT;
+      this.add(placed, plane, isFloor, radius);
+      if (isFloor && (!lowest || plane.point.z < lowest.point.z)) lowest = plane;
+    }
+    this.grid = gridOf(frame, radius, this.lines);
+    const at = lowest ?? { point: new Vector3(0, 0, bottom), turn: new Quaternion(), normal: new Vector3(0, 0, 1) };
+    this.grid.quaternion.copy(at.turn);
+    this.grid.position.copy(snapped(at, frame, radius)).addScaledVector(at.normal, 0.0008 * radius);
+    this.grid.renderOrder = 1;
+    this.group.add(this.grid);
+  }
+
+  setColours(colours: GroundColours): void {
+    this.floor.color = new Color(colours.floor);
+    this.wall.color = new Color(colours.wall);
+    this.lines.color = new Color(colours.lines);
+  }
+
+  setGrid(shown: boolean): void {
+    this.grid.visible = shown;
+  }
+
+  private add(placed: Placed, plane: Plane, isFloor: boolean, radius: number): void {
+    const side = 2 * radius * (isFloor ? FLOOR : WALL);
+    const square = new Mesh(new PlaneGeometry(side, side), isFloor ? this.floor : this.wall);
+    square.position.copy(plane.point);
+    square.quaternion.copy(plane.turn);
+    square.receiveShadow = isFloor;
+    square.userData["body"] = placed.body;
+    this.squares.push(square);
+    this.group.add(square);
+  }
+}
+
+/** Its point nearest to the middle of the scene, which is the origin of the view. */
+function planeOf(placed: Placed, moment: Moment, frame: Frame): Plane {
+  const q = new Float64Array(4), p = new Float64Array(3);
+  product(moment.orientations, 4 * placed.body, Float64Array.from(placed.orientation), 0, q, 0);
+  const [x, y, z] = placed.position;
+  turned(moment.orientations, 4 * placed.body, x, y, z, p, 0);
+  for (let k = 0; k < 3; k++) p[k] = (p[k] + moment.positions[3 * placed.body + k] - frame.origin[k]) / frame.unit;
+  const turn = new Quaternion(q[1], q[2], q[3], q[0]);
+  const normal = new Vector3(0, 0, 1).applyQuaternion(turn);
+  const distance = normal.dot(new Vector3(p[0], p[1], p[2]));
+  return { point: normal.clone().multiplyScalar(distance), turn, normal };
+}
+
+/** The cell side [m]: 1, 2 or 5 times a power of ten. */
+export function cellSize(metres: number): number {
+  const power = 10 ** Math.floor(Math.log10(metres));
+  const lead = metres / power;
+  return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
+}
+
+/** Moved within its plane so that its lines are at whole cells from the world's origin. */
+function snapped(plane: Plane, frame: Frame, radius: number): Vector3 {
+  const cell = cellSize((2 * radius * frame.unit) / CELLS);
+  const back = plane.turn.clone().invert();
+  const toOrigin = new Vector3(...frame.origin).multiplyScalar(-1 / frame.unit).sub(plane.point).applyQuaternion(back);
+  const side = cell / frame.unit;
+  const shift = new Vector3(toOrigin.x - side * Math.round(toOrigin.x / side), toOrigin.y - side * Math.round(toOrigin.y / side), 0);
+  return shift.applyQuaternion(plane.turn).add(plane.point);
+}
+
+/** Lines that fade out with the distance from the middle. */
+function gridOf(frame: Frame, radius: number, material: LineBasicMaterial): LineSegments {
+  const side = cellSize((2 * radius * frame.unit) / CELLS) / frame.unit;
+  const lines = Math.ceil((REACH * radius) / side);
+  const points: number[] = [], colours: number[] = [];
+  const put = (x: number, y: number): void => {
+    points.push(x * side, y * side, 0);
+    const away = Math.hypot(x, y) / lines;
+    colours.push(1, 1, 1, Math.max(0, 1 - away * away));
+  };
+  for (let k = -lines; k <= lines; k++) {
+    for (let m = -lines; m < lines; m += 2) {
+      put(k, m);
+      put(k, m + 2);
+      put(m, k);
+      put(m + 2, k);
+    }
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points), 3));
+  geometry.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 4));
+  return new LineSegments(geometry, material);
+}

@@ -1,0 +1,263 @@
+// The world as it is drawn: puts the parts together and draws them when something changed.
+
+import {
+  Color, Group, MeshBasicMaterial, PCFShadowMap, Scene, Vector3, WebGLRenderer, type BufferGeometry, type Camera,
+} from "three";
+import type { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { bodyRadii, diagonal, sceneBox, typicalRadius, type Box } from "./bounds";
+import type { Clock } from "./clock";
+import { Governor } from "./governor";
+import { Ground } from "./ground";
+import { Lights } from "./lights";
+import { Markers } from "./markers";
+import { bodyMaterial } from "./material";
+import { Outline } from "./outline";
+import { Picker } from "./picker";
+import type { Moment } from "./player";
+import { Rate } from "./rate";
+import type { Recording } from "./recording";
+import { Rig } from "./rig";
+import { batchesOf, byMaterial, geometriesOf, type Batch, type Frame } from "./solids";
+import type { Paint, Painter, Theme, World } from "./world";
+
+/** The diagonal of the scene in view units. */
+const SIZE = 10;
+const RADIUS = SIZE / 2;
+
+const THEMES = {
+  light: { background: "#e9edf2", floor: "#cfd6de", wall: "#9aa7b5", lines: "#8b98a6", outline: "#d9480f", shapes: "#1c4f8a" },
+  dark: { background: "#14171c", floor: "#2a2f37", wall: "#66707d", lines: "#5c6673", outline: "#ffa94d", shapes: "#9cc4f5" },
+} as const;
+
+type Call = (moment: Moment, elapsed: number) => void;
+
+export class Stage implements World {
+  readonly scene = new Scene();
+  readonly overlay = new Group();
+  readonly unit: number;
+  readonly bodySize: number;
+  readonly canvas: HTMLCanvasElement;
+  private readonly frame: Frame;
+  private readonly radii: Float64Array;
+  private readonly rig: Rig;
+  private readonly lights = new Lights(RADIUS);
+  private readonly ground: Ground;
+  private readonly markers: Markers;
+  private readonly batches: readonly Batch[];
+  private readonly geometries: readonly BufferGeometry[];
+  private shapes: readonly Batch[] = [];
+  private readonly shapeMaterial = new MeshBasicMaterial({ wireframe: true });
+  private readonly outline: Outline;
+  private readonly picker: Picker;
+  private readonly governor: Governor;
+  private readonly rate = new Rate();
+  private readonly calls = new Set<Call>();
+  private readonly paint: Paint = { colour: new Color(), pattern: 0 };
+  private painter: Painter;
+  private repaint = true;
+  private repaintAlways = false;
+  private shadowsWanted = true;
+  private followed: number | null = null;
+  private readonly place = new Vector3();
+  private scheduled = false;
+  private lastTick = 0;
+  private lastTime = NaN;
+
+  /** software: whether the processor draws instead of a graphics card. */
+  constructor(
+    readonly renderer: WebGLRenderer,
+    private readonly recording: Recording,
+    private readonly clock: Clock,
+    software: boolean,
+  ) {
+    this.canvas = renderer.domElement;
+    this.radii = bodyRadii(recording);
+    const box = sceneBox(recording, this.radii);
+    this.unit = diagonal(box) / SIZE;
+    this.frame = { unit: this.unit, origin: middleOf(box) };
+    this.bodySize = typicalRadius(recording, this.radii) / this.unit || 0.02 * SIZE;
+    this.governor = new Governor(window.devicePixelRatio, software);
+    this.rig = new Rig(this.canvas, RADIUS);
+    this.geometries = geometriesOf(recording.meshes);
+    this.batches = batchesOf(this.geometries, bodyMaterial(), recording.placed, this.frame, (placed) => placed.shown);
+    this.ground = new Ground(recording, clock.moment, this.frame, RADIUS, (box.low[2] - this.frame.origin[2]) / this.unit);
+    this.markers = new Markers(recording.bodies, this.radii, this.frame, RADIUS);
+    this.outline = new Outline(recording.placed, this.batches);
+    this.picker = new Picker(this.canvas, this.rig.camera, recording.placed, this.batches, this.ground, this.markers);
+    this.painter = byMaterial(recording.placed);
+    this.assemble();
+    this.applyQuality();
+    this.setTheme("light");
+    this.frameAll();
+    this.rig.controls.addEventListener("change", () => this.redraw());
+    recording.onGrowth(() => this.redraw());
+    new ResizeObserver(() => this.resize()).observe(this.canvas);
+    this.resize();
+  }
+
+  get camera(): Camera {
+    return this.rig.camera;
+  }
+
+  get controls(): OrbitControls {
+    return this.rig.controls;
+  }
+
+  toView(x: number, y: number, z: number, out: Vector3): Vector3 {
+    const { unit, origin } = this.frame;
+    return out.set((x - origin[0]) / unit, (y - origin[1]) / unit, (z - origin[2]) / unit);
+  }
+
+  onFrame(call: Call): () => void {
+    this.calls.add(call);
+    return () => this.calls.delete(call);
+  }
+
+  redraw(): void {
+    if (this.scheduled) return;
+    this.scheduled = true;
+    requestAnimationFrame((now) => this.tick(now));
+  }
+
+  pick(x: number, y: number): number | null {
+    return this.picker.pick(x, y);
+  }
+
+  setColouring(painter: Painter, changes: boolean): void {
+    this.painter = painter;
+    this.repaint = true;
+    this.repaintAlways = changes;
+    this.redraw();
+  }
+
+  setSelected(body: number | null): void {
+    this.outline.set(body);
+    this.redraw();
+  }
+
+  follow(body: number | null): void {
+    this.followed = body;
+    this.rig.follow(body === null ? null : this.placeOf(body));
+    this.redraw();
+  }
+
+  frameAll(): void {
+    const box = sceneBox(this.recording, this.radii);
+    const [x, y, z] = middleOf(box);
+    this.follow(null);
+    this.rig.show(this.toView(x, y, z, this.place), diagonal(box) / this.unit / 2);
+    this.redraw();
+  }
+
+  setCollisionShapes(shown: boolean): void {
+    if (shown && !this.shapes.length) {
+      this.shapes = batchesOf(this.geometries, this.shapeMaterial, this.recording.placed, this.frame, (placed) => placed.collides);
+      for (const batch of this.shapes) {
+        batch.mesh.instanceColor = null;
+        this.scene.add(batch.mesh);
+      }
+    }
+    for (const batch of this.shapes) batch.mesh.visible = shown;
+    this.redraw();
+  }
+
+  setGrid(shown: boolean): void {
+    this.ground.setGrid(shown);
+    this.redraw();
+  }
+
+  setShadows(wanted: boolean): void {
+    this.shadowsWanted = wanted;
+    this.applyQuality();
+  }
+
+  setTheme(theme: Theme): void {
+    const colours = THEMES[theme];
+    this.scene.background = new Color(colours.background);
+    this.ground.setColours(colours);
+    this.outline.setColour(colours.outline);
+    this.shapeMaterial.color.set(colours.shapes);
+    this.redraw();
+  }
+
+  fps(): number {
+    return this.rate.perSecond;
+  }
+
+  quality(): string {
+    const { pixels, shadows } = this.governor.quality;
+    const size = `${this.canvas.width}x${this.canvas.height}`;
+    return `${size} (${pixels} of a pixel), ${shadows && this.shadowsWanted ? `shadows ${shadows}` : "no shadows"}`;
+  }
+
+  private assemble(): void {
+    this.scene.add(this.lights.group, this.ground.group, this.markers.points, this.outline.group, this.overlay);
+    for (const batch of this.batches) {
+      batch.mesh.castShadow = true;
+      batch.mesh.receiveShadow = true;
+      this.scene.add(batch.mesh);
+    }
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.shadowMap.autoUpdate = false;
+  }
+
+  private tick(now: number): void {
+    this.scheduled = false;
+    const elapsed = this.lastTick ? Math.max(0, (now - this.lastTick) / 1000) : 0;
+    const playing = this.clock.playing;
+    this.clock.advance(playing ? elapsed : 0);
+    this.draw(elapsed);
+    if (playing && this.rate.count(now) && this.governor.measure(elapsed)) this.applyQuality();
+    if (!playing) {
+      this.rate.pause();
+      this.governor.restart();
+    }
+    this.lastTick = this.clock.playing ? now : 0;
+    if (this.clock.playing) this.redraw();
+  }
+
+  private draw(elapsed: number): void {
+    const { moment } = this.clock;
+    for (const batch of this.batches) batch.move(moment);
+    for (const batch of this.shapes) if (batch.mesh.visible) batch.move(moment);
+    this.markers.move(moment);
+    if (this.followed !== null) this.rig.along(this.placeOf(this.followed));
+    const glides = this.rig.update();
+    if (this.repaint || this.repaintAlways) {
+      for (const batch of this.batches) batch.paint(this.painter, moment, this.paint);
+      this.repaint = false;
+    }
+    for (const call of this.calls) call(moment, elapsed);
+    this.outline.move(this.canvas.clientWidth, this.canvas.clientHeight);
+    this.renderer.shadowMap.needsUpdate ||= moment.time !== this.lastTime;
+    this.lastTime = moment.time;
+    this.renderer.render(this.scene, this.rig.camera);
+    if (glides) this.redraw();
+  }
+
+  private placeOf(body: number): Vector3 {
+    const { positions } = this.clock.moment;
+    return this.toView(positions[3 * body], positions[3 * body + 1], positions[3 * body + 2], this.place);
+  }
+
+  private applyQuality(): void {
+    const { pixels, shadows } = this.governor.quality;
+    const side = this.shadowsWanted ? shadows : 0;
+    this.lights.setShadows(side);
+    this.renderer.shadowMap.enabled = side > 0;
+    this.renderer.shadowMap.needsUpdate = true;
+    this.renderer.setPixelRatio(Math.min(pixels, Math.max(1, window.devicePixelRatio)));
+    this.redraw();
+  }
+
+  private resize(): void {
+    const width = this.canvas.clientWidth || 1, height = this.canvas.clientHeight || 1;
+    this.rig.resize(width, height);
+    this.renderer.setSize(width, height, false);
+    this.redraw();
+  }
+}
+
+function middleOf(box: Box): [number, number, number] {
+  return [0, 1, 2].map((axis) => (box.low[axis] + box.high[axis]) / 2) as [number, number, number];
+}
