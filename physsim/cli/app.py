@@ -18,7 +18,7 @@ from physsim.cli.verb import ENVIRONMENT, EXIT_CODES, Settings, debug_option, de
 # Every verb lives in the module of its name and is called `command` there.
 VERBS = (
     *("run", "sweep", "validate", "info", "materials", "schema", "new"),
-    *("diff", "plot", "export", "fit"),
+    *("view", "diff", "plot", "export", "fit"),
     *("verify", "completion"),
 )
 

@@ -12,11 +12,12 @@ from click.core import ParameterSource
 from physsim.cli import output
 from physsim.cli.export_format import Format, Order
 from physsim.cli.export_glb import GLB
+from physsim.cli.export_html import PAGE
 from physsim.cli.export_table import TABLE
 from physsim.cli.verb import Verb, debug_option
 
-FORMATS = (TABLE, GLB)
-LATER = ("mp4", "gif", "png", "html")
+FORMATS = (TABLE, GLB, PAGE)
+LATER = ("mp4", "gif", "png")
 NAMES = tuple(name for format in FORMATS for name in format.names)
 
 
@@ -93,6 +94,8 @@ def command(
 
     glb: binary glTF 2.0 for Blender, model viewers and game engines: bodies, materials and their motion, in
     metres and seconds. Key frames that straight lines and arcs between the others reproduce are left out.
+
+    html: the page that `physsim view` makes, which any browser plays.
     """
     format = format_named(name)
     refuse_foreign(ctx, format, name)

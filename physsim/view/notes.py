@@ -42,7 +42,12 @@ class Report:
 
 def notes_of(report: Report) -> list[str]:
     """Sentences for people: precision first, then what was left out."""
-    return [*_precision(report), *_contacts(report), *_frames(report)]
+    return [*_precision(report), *left_out(report)]
+
+
+def left_out(report: Report) -> list[str]:
+    """Sentences on what of the file is not in the page; none when all is."""
+    return [*_contacts(report), *_frames(report)]
 
 
 def _precision(report: Report) -> list[str]:

@@ -37,7 +37,7 @@ data: [{file: measured.h5, quantities: {bodies.ball.position.z: {sigma: 1 mm}}}]
 def test_examples_of_the_manual_page(folder: Path, verb: str) -> None:
     if verb != "new":
         assert answer(["new", "my_scene"]) == 0
-    if verb in {"info", "diff", "plot", "export"}:
+    if verb in {"view", "info", "diff", "plot", "export"}:
         assert answer(["run", "my_scene.yaml", "--quiet"]) == 0
     if verb == "fit":
         shorter = ["--set", "expect=[]", "--duration", "0.4 s"]
