@@ -81,7 +81,7 @@ export class BodyCard {
     this.energy.print([numbers.kineticEnergy], playing, () => energyError(recording, body, numbers, speedError));
     setText(this.turn, turnInWords(numbers.orientation));
     setText(this.when, moment.fraction ? `between frames ${moment.frame + 1} and ${moment.frame + 2}: interpolated`
-      : `exactly frame ${moment.frame + 1}`);
+      : `at frame ${moment.frame + 1}`);
     this.when.hidden = playing;
     this.printContacts(recording.contacts(moment.frame));
   }

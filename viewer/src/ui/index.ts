@@ -45,7 +45,7 @@ export function mountUi(app: App): Ui {
   });
   const panels: Panels = new Panels([
     { name: "Bodies", key: "", side: "left", icon: BODIES, content: bodies.element },
-    { name: "Show", key: "", side: "left", icon: SHOW, content: showPanel(recording, store) },
+    { name: "Show", key: "", side: "left", icon: SHOW, content: showPanel(app, store) },
     { name: "Plots", key: "P", side: "right", icon: PLOTS, content: plots.element },
     { name: "About", key: "I", side: "left", icon: ABOUT, content: about.element },
   ], () => layOut(app, panels, plots));

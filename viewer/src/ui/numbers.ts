@@ -1,9 +1,8 @@
 // What is known of one body at the moment that is shown, interpolated between frames like the picture.
 
-import { Vector3 } from "three";
 import type { Moment } from "../player";
 import type { Body, Recording, Track } from "../recording";
-import { rotate } from "./pose";
+import { turned } from "../rotation";
 
 export interface BodyNumbers {
   position: [number, number, number];
@@ -16,7 +15,7 @@ export interface BodyNumbers {
   kineticEnergy: number;
 }
 
-const inBody = new Vector3();
+const inBody = [0, 0, 0];
 
 export function emptyNumbers(): BodyNumbers {
   return {
@@ -47,10 +46,10 @@ export function interpolated(track: Track, moment: Moment, row: number, componen
 export function kineticEnergy(body: Body, numbers: BodyNumbers): number {
   if (body.fixed) return 0;
   const [w, x, y, z] = numbers.orientation;
-  rotate(w, -x, -y, -z, numbers.angularVelocity, inBody);
+  turned([w, -x, -y, -z], 0, ...numbers.angularVelocity, inBody, 0);
   let twice = body.mass * numbers.speed ** 2;
   for (let i = 0; i < 3; i++) {
-    for (let k = 0; k < 3; k++) twice += inBody.getComponent(i) * body.inertia[3 * i + k] * inBody.getComponent(k);
+    for (let k = 0; k < 3; k++) twice += inBody[i] * body.inertia[3 * i + k] * inBody[k];
   }
   return twice / 2;
 }

@@ -13,7 +13,9 @@ export interface Panel {
   readonly content: HTMLElement;
 }
 
+/** So narrow that panels lie at the bottom, and so narrow that two would leave no view. */
 const NARROW = matchMedia("(max-width: 759px)");
+const ONE_PANEL = matchMedia("(max-width: 1099px)");
 
 export class Panels {
   readonly buttons = element("div", { class: "panel-buttons", role: "toolbar", "aria-label": "Panels" });
@@ -34,7 +36,7 @@ export class Panels {
       this.switches.set(panel.name, made);
       this.buttons.append(made);
     }
-    NARROW.addEventListener("change", () => NARROW.matches && this.open.left && this.close("right"));
+    ONE_PANEL.addEventListener("change", () => ONE_PANEL.matches && this.open.left && this.close("right"));
   }
 
   static get narrow(): boolean {
@@ -54,7 +56,7 @@ export class Panels {
 
   show(name: string): void {
     const panel = this.find(name);
-    if (NARROW.matches) this.close(panel.side === "left" ? "right" : "left");
+    if (ONE_PANEL.matches) this.close(panel.side === "left" ? "right" : "left");
     if (this.open[panel.side] === panel) return;
     this.open[panel.side] = panel;
     const side = this.sides[panel.side];

@@ -8,6 +8,13 @@ import { PLOTS } from "./icons";
 const DIGITS_PLAYING = 5;
 const DIGITS_STANDING = 10;
 
+/** As wide as a digit: points stand below each other where some components are known better than others. */
+const FIGURE_SPACE = "\u2007";
+
+function decimalsOf(text: string): number {
+  return /^[^.]*\.(\d+)$/.exec(text)?.[1].length ?? 0;
+}
+
 export class Reading {
   readonly element: HTMLElement;
   private readonly cells: HTMLElement[];
@@ -27,6 +34,8 @@ export class Reading {
   /** `error(i)`: no number is off by more. */
   print(values: ArrayLike<number>, playing: boolean, error: (i: number) => number): void {
     const digits = playing ? DIGITS_PLAYING : DIGITS_STANDING;
-    this.cells.forEach((cell, i) => setText(cell, number(values[i], digits, error(i))));
+    const texts = this.cells.map((_, i) => number(values[i], digits, error(i)));
+    const most = Math.max(...texts.map(decimalsOf));
+    this.cells.forEach((cell, i) => setText(cell, texts[i] + FIGURE_SPACE.repeat(most - decimalsOf(texts[i]))));
   }
 }

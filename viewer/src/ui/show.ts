@@ -1,8 +1,10 @@
 // The panel that says what the picture shows: switches, colours, trails, view.
 
+import type { App } from "../app";
 import type { Recording } from "../recording";
-import { element } from "./dom";
+import { button, element } from "./dom";
 import type { Settings, Store, Switch } from "./settings";
+import { lookFrom, VIEWPOINTS } from "./viewpoints";
 
 interface SwitchRow {
   key: Switch;
@@ -37,10 +39,12 @@ const SIZES: Options<"arrowSize"> = [[0.25, "¼×"], [0.5, "½×"], [1, "1×"], 
 const LENGTHS: Options<"trailLength"> = [[0.1, "0.1\u202fs"], [1, "1\u202fs"], [10, "10\u202fs"], [Infinity, "Whole"]];
 
 /** The panel. */
-export function showPanel(recording: Recording, store: Store): HTMLElement {
+export function showPanel({ recording, world }: App, store: Store): HTMLElement {
   return element(
     "div", { class: "show" },
     element("div", { class: "switches" }, ...SWITCHES.map((row) => switchOf(recording, store, row))),
+    element("h4", {}, "Look from"),
+    element("div", { class: "viewpoints" }, ...VIEWPOINTS.map((one) => button(`Look from ${one.name}`, one.name, "", () => lookFrom(world, one)))),
     choice(store, "colouring", "Colours by (V)", COLOURINGS),
     choice(store, "trails", "Trails (T)", TRAILS),
     choice(store, "trailLength", "Length of trails", LENGTHS),

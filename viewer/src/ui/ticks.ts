@@ -7,18 +7,21 @@ export interface Ticks {
   labels: string[];
 }
 
+/** Rounding of what was subtracted moves a quotient by less than this. */
+const NOISE = 1e-6;
+
 /** The largest of 1, 2, 5 times a power of ten that is not above `size` (> 0). */
 export function roundBelow(size: number): number {
   const power = 10 ** Math.floor(Math.log10(size));
   const lead = size / power;
-  return (lead >= 5 ? 5 : lead >= 2 ? 2 : 1) * power;
+  return (lead >= 5 - NOISE ? 5 : lead >= 2 - NOISE ? 2 : 1) * power;
 }
 
 /** The smallest of 1, 2, 5 times a power of ten that is not below `size` (> 0). */
 export function roundAbove(size: number): number {
   const power = 10 ** Math.floor(Math.log10(size));
   const lead = size / power;
-  return (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10) * power;
+  return (lead <= 1 + NOISE ? 1 : lead <= 2 + NOISE ? 2 : lead <= 5 + NOISE ? 5 : 10) * power;
 }
 
 /** Ticks from `low` to `high`, about `wanted` of them, with labels that carry just the digits they need. */
@@ -26,7 +29,7 @@ export function ticks(low: number, high: number, wanted: number): Ticks {
   if (!(high > low) || !Number.isFinite(high - low)) return { values: [low], exponent: 0, labels: [short(low)] };
   const step = roundAbove((high - low) / Math.max(1, wanted));
   const values: number[] = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) values.push(i * step + 0);
+  for (let i = Math.ceil(low / step - NOISE); i * step <= high + NOISE * step; i++) values.push(i * step + 0);
   const exponent = powerOf(Math.max(Math.abs(low), Math.abs(high)));
   const decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step) + 1e-9) + exponent));
   const labels = values.map((value) => fixed(value / 10 ** exponent, decimals));

@@ -12,10 +12,12 @@ import { Sticks } from "./sticks";
 const STICKING = new Color("#d1495b");
 const SLIDING = new Color("#edae49");
 const CUT = new Color("#7b2cbf");
+/** A common force is drawn at least so long [view units; the scene is about ten of them]. */
+const SHORTEST = 0.8;
 
 export class ContactDrawing {
   private readonly group = new Group();
-  private readonly arrows = new Sticks(true);
+  private readonly arrows = new Sticks(true, 0.5);
   private readonly points = new Marks(10);
   private readonly place = new Vector3();
   private scale: ForceScale | null = null;
@@ -38,7 +40,7 @@ export class ContactDrawing {
 
   /** What the lengths of arrows mean now; made when it is first needed. */
   get forceScale(): ForceScale {
-    this.scale ??= forceScale(this.recording, 1.5 * this.world.bodySize * this.world.unit);
+    this.scale ??= forceScale(this.recording, Math.max(1.5 * this.world.bodySize, SHORTEST) * this.world.unit);
     const { length, force, longest } = this.scale;
     return { length, force: force / this.store.now.arrowSize, longest };
   }
@@ -71,11 +73,8 @@ export class ContactDrawing {
     const factor = (sign * Math.min(metres, scale.longest)) / this.world.unit / size;
     const { x, y, z } = this.place;
     const colour = cut ? CUT : sliding ? SLIDING : STICKING;
-    this.arrows.add(x, y, z, factor * force[at], factor * force[at + 1], factor * force[at + 2], this.wide(cut), colour);
-  }
-
-  private wide(cut: boolean): number {
-    return (cut ? 0.11 : 0.075) * this.world.bodySize;
+    const wide = (cut ? 0.11 : 0.08) * (scale.length / this.world.unit);
+    this.arrows.add(x, y, z, factor * force[at], factor * force[at + 1], factor * force[at + 2], wide, colour);
   }
 
   private isFixed(body: number): boolean {

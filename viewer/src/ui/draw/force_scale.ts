@@ -16,8 +16,8 @@ const FRAMES_LOOKED_AT = 80;
 const MOST_FORCES = 20000;
 
 /**
- * An arrow of about `size` [m] for a force that most contacts do not exceed (the 75th of 100, by samples): impacts,
- * which press a thousand times harder for one step, must not make resting contacts vanish.
+ * An arrow of about `size` [m] for a middling force (the median, by samples): impacts, which press a thousand times
+ * harder for one step, must not make resting contacts vanish.
  */
 export function forceScale(recording: Recording, size: number): ForceScale {
   const length = roundBelow(size);
@@ -36,5 +36,5 @@ function commonForce(recording: Recording): number {
     }
   }
   forces.sort((a, b) => a - b);
-  return forces[Math.floor(0.75 * forces.length)] ?? recording.strongestContact;
+  return forces[Math.floor(0.5 * forces.length)] ?? recording.strongestContact;
 }

@@ -9,7 +9,7 @@ import type { Store } from "../settings";
 import { Sticks } from "./sticks";
 import { SYMBOLS } from "./symbols";
 
-const TINT = new Color("#e08e00");
+const TINT = new Color("#12a37f");
 const UP = new Vector3(0, 0, 1);
 const NOWHERE = new Matrix4().makeScale(0, 0, 0);
 

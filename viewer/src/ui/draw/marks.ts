@@ -2,8 +2,6 @@
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Points, ShaderMaterial, type Color } from "three";
 
-const MANY = 60;
-
 export const DISC = 0;
 export const DIAMOND = 1;
 /** The sign of the centre of mass: quarters in turns light and dark. */
@@ -27,12 +25,13 @@ const FRAGMENT = `
   varying float vShape;
   void main() {
     vec2 p = 2.0 * gl_PointCoord - 1.0;
-    float far = vShape == ${DIAMOND}.0 ? abs(p.x) + abs(p.y) : length(p);
+    bool diamond = abs(vShape - ${DIAMOND}.0) < 0.5;
+    bool quarters = abs(vShape - ${QUARTERS}.0) < 0.5;
+    float far = diamond ? abs(p.x) + abs(p.y) : length(p);
     if (far > 1.0) discard;
     vec3 colour = vTint;
-    if (vShape == ${DIAMOND}.0 && far < 0.45) colour = vec3(1.0);
-    if (vShape == ${QUARTERS}.0) colour = p.x * p.y > 0.0 ? vec3(0.01) : vec3(0.98);
-    if (far > 0.78) colour = vShape == ${QUARTERS}.0 ? vec3(0.01) : vec3(1.0);
+    if (quarters) colour = p.x * p.y > 0.0 ? vec3(0.01) : vec3(0.98);
+    if (far > 0.8) colour = quarters ? vec3(0.01) : vec3(1.0);
     gl_FragColor = vec4(colour, 1.0);
     #include <colorspace_fragment>
   }`;
@@ -46,7 +45,7 @@ export class Marks {
   private shape!: BufferAttribute;
   private readonly geometry = new BufferGeometry();
 
-  /** size: in CSS pixels; among many marks a third smaller. */
+  /** size: in CSS pixels, of a few; many are drawn smaller. */
   constructor(private readonly size: number) {
     const material = new ShaderMaterial({
       vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { size: { value: size } }, depthTest: false,
@@ -56,11 +55,15 @@ export class Marks {
     this.points.frustumCulled = false;
     this.points.renderOrder = 8;
     this.points.onBeforeRender = (renderer) => {
-      material.uniforms.size.value = (this.used > MANY ? 0.65 : 1) * this.size * renderer.getPixelRatio();
+      material.uniforms.size.value = this.pixels() * renderer.getPixelRatio();
       material.uniformsNeedUpdate = true;
     };
     this.reserve(256);
     this.clear();
+  }
+
+  private pixels(): number {
+    return this.size * (this.used > 200 ? 0.5 : this.used > 50 ? 0.7 : 1);
   }
 
   clear(): void {

@@ -44,7 +44,8 @@ const FRAGMENT = `
 export class Sticks {
   /** Put this into the scene. What lies behind other things is drawn faintly. */
   readonly group = new Group();
-  private readonly geometry = new InstancedBufferGeometry();
+  private geometry = new InstancedBufferGeometry();
+  private readonly meshes: readonly Mesh[];
   private capacity = 0;
   private used = 0;
   private from!: InstancedBufferAttribute;
@@ -56,8 +57,9 @@ export class Sticks {
     const shape = head ? arrowShape() : rodShape();
     this.geometry.index = shape.index;
     for (const name of ["position", "normal", "part"]) this.geometry.setAttribute(name, shape.getAttribute(name));
+    this.meshes = [this.mesh(head, 1), this.mesh(head, seenThrough)];
+    this.group.add(...this.meshes);
     this.reserve(64);
-    this.group.add(this.mesh(head, 1), this.mesh(head, seenThrough));
     this.clear();
   }
 
@@ -99,9 +101,15 @@ export class Sticks {
     }
   }
 
-  /** Grows by doubling; what was added stays. */
+  /** Grows by doubling; what was added stays. A new geometry, because three.js keeps the size that it saw first. */
   private reserve(capacity: number): void {
     this.capacity = capacity;
+    const old = this.geometry;
+    this.geometry = new InstancedBufferGeometry();
+    this.geometry.index = old.index;
+    for (const [name, one] of Object.entries(old.attributes)) this.geometry.setAttribute(name, one);
+    for (const mesh of this.meshes) mesh.geometry = this.geometry;
+    old.dispose();
     this.from = this.grown("from", 3);
     this.along = this.grown("along", 3);
     this.tint = this.grown("tint", 3);
