@@ -14,6 +14,8 @@ export class Clock implements Player {
   loop = false;
   /** Set when something changed; whoever draws asks for it. */
   private changed = true;
+  /** Whether it stood at the end when it was shown; the end may have moved since. */
+  private atEnd = false;
   private readonly finder: MomentFinder;
   private readonly calls = new Set<() => void>();
 
@@ -24,8 +26,12 @@ export class Clock implements Player {
   ) {
     this.finder = new MomentFinder(recording);
     this.moment = this.finder.moment;
-    this.finder.show(this.start);
-    recording.onGrowth(() => this.touch());
+    this.show(this.start);
+    recording.onGrowth(() => this.grow());
+  }
+
+  get following(): boolean {
+    return this.playing && this.recording.growing && this.atEnd;
   }
 
   get start(): number {
@@ -36,11 +42,10 @@ export class Clock implements Player {
     return this.recording.frames ? this.recording.times[this.recording.frames - 1] : 0;
   }
 
-  /** At the end of a recording that grows: waits there for what comes. */
   play(): void {
     const { growing } = this.recording;
     if (this.end <= this.start && !growing) return;
-    if (this.moment.time >= this.end && !growing) this.finder.show(this.start);
+    if (this.moment.time >= this.end && !growing) this.show(this.start);
     this.playing = true;
     this.touch();
   }
@@ -57,7 +62,7 @@ export class Clock implements Player {
 
   seek(time: number): void {
     if (!Number.isFinite(time)) return;
-    this.finder.show(Math.min(Math.max(time, this.start), this.end));
+    this.show(Math.min(Math.max(time, this.start), this.end));
     this.touch();
   }
 
@@ -95,15 +100,26 @@ export class Clock implements Player {
   }
 
   private goOn(seconds: number): void {
+    if (this.following) return;
     const time = this.moment.time + seconds;
-    if (this.recording.growing && this.moment.time >= this.end) return;
     this.changed = true;
-    if (time < this.end) this.finder.show(time);
-    else if (this.loop) this.finder.show(this.start + ((time - this.start) % (this.end - this.start)));
+    if (time < this.end) this.show(time);
+    else if (this.loop) this.show(this.start + ((time - this.start) % (this.end - this.start)));
     else {
-      this.finder.show(this.end);
+      this.show(this.end);
       this.playing = this.recording.growing;
     }
+  }
+
+  /** Frames came; those before may have got other numbers. */
+  private grow(): void {
+    this.show(this.following ? this.end : this.moment.time);
+    this.touch();
+  }
+
+  private show(time: number): void {
+    this.finder.show(time);
+    this.atEnd = time >= this.end;
   }
 
   private touch(): void {

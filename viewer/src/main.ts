@@ -7,7 +7,8 @@ import { recordingOf } from "./decode";
 import { graphicsFor } from "./graphics";
 import type { Head } from "./head";
 import { followAddress } from "./link";
-import { watched, type LiveHead } from "./live/recording";
+import { keepLive } from "./live/pill";
+import { LiveRecording, watched, type LiveHead } from "./live/recording";
 import type { Recording } from "./recording";
 import { DocumentSections } from "./sections";
 import { Stage } from "./stage";
@@ -34,6 +35,7 @@ async function open(): Promise<{ app: App; ui: Ui }> {
   const world = (stage = new Stage(graphics.renderer, recording, clock, graphics.software));
   const app = { recording, player: clock, world, root };
   const ui = mountUi(app);
+  if (recording instanceof LiveRecording) keepLive(app, recording);
   followAddress(app, ui);
   return { app, ui };
 }

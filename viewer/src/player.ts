@@ -22,13 +22,15 @@ export interface Player {
   readonly recording: Recording;
   readonly moment: Moment;
   readonly playing: boolean;
+  /** Whether it plays at the newest moment of a recording that grows, and goes on with it. */
+  readonly following: boolean;
   /** Simulated seconds in one second of the wall; 1 is real time. */
   readonly speed: number;
   readonly loop: boolean;
   /** Time of the first and of the last frame [s]. */
   readonly start: number;
   readonly end: number;
-  /** From the start again when it stands at the end. */
+  /** From the start again when it stands at the end, unless more may come. */
   play(): void;
   pause(): void;
   toggle(): void;

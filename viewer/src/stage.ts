@@ -204,7 +204,7 @@ export class Stage implements World {
   private tick(now: number): void {
     this.scheduled = false;
     const elapsed = this.lastTick ? Math.max(0, (now - this.lastTick) / 1000) : 0;
-    const playing = this.clock.playing;
+    const playing = this.clock.playing && !this.clock.following;
     this.clock.advance(playing ? elapsed : 0);
     this.draw(elapsed);
     if (playing && this.rate.count(now) && this.governor.measure(elapsed)) this.applyQuality();
@@ -212,8 +212,9 @@ export class Stage implements World {
       this.rate.pause();
       this.governor.restart();
     }
-    this.lastTick = this.clock.playing ? now : 0;
-    if (this.clock.playing) this.redraw();
+    const goesOn = this.clock.playing && !this.clock.following;
+    this.lastTick = goesOn ? now : 0;
+    if (goesOn) this.redraw();
   }
 
   private draw(elapsed: number): void {
