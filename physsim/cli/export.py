@@ -10,14 +10,15 @@ import click
 from click.core import ParameterSource
 
 from physsim.cli import output
+from physsim.cli.export_film import FILM
 from physsim.cli.export_format import Format, Order
 from physsim.cli.export_glb import GLB
 from physsim.cli.export_html import PAGE
+from physsim.cli.export_still import STILL
 from physsim.cli.export_table import TABLE
 from physsim.cli.verb import Verb, debug_option
 
-FORMATS = (TABLE, GLB, PAGE)
-LATER = ("mp4", "gif", "png")
+FORMATS = (TABLE, GLB, PAGE, STILL, FILM)
 NAMES = tuple(name for format in FORMATS for name in format.names)
 
 
@@ -60,7 +61,7 @@ def names_with(option: str) -> list[str]:
     "--to",
     "name",
     required=True,
-    type=click.Choice([*NAMES, *LATER]),
+    type=click.Choice(NAMES),
     metavar="|".join(NAMES),
     help="The format.",
 )
@@ -96,6 +97,9 @@ def command(
     metres and seconds. Key frames that straight lines and arcs between the others reproduce are left out.
 
     html: the page that `physsim view` makes, which any browser plays.
+
+    png, mp4, gif: pictures and films, drawn without display or graphics card (extra `view`). Between frames
+    positions go along straight lines and orientations along arcs.
     """
     format = format_named(name)
     refuse_foreign(ctx, format, name)
@@ -106,11 +110,8 @@ def command(
 
 
 def format_named(name: str) -> Format:
-    """The format. click.UsageError for one that is still to come."""
-    for format in FORMATS:
-        if name in format.names:
-            return format
-    raise click.UsageError(f"--to {name}: not supported yet; this version writes {spoken(NAMES)}")
+    """The format of a name of `--to`."""
+    return next(format for format in FORMATS if name in format.names)
 
 
 def refuse_foreign(ctx: click.Context, format: Format, name: str) -> None:

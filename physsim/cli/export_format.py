@@ -46,5 +46,5 @@ FPS = click.Option(
     ["--fps"],
     type=click.FloatRange(min=0, min_open=True),
     metavar="N",
-    help="Frames per second of simulated time. Default: those of the file.",
+    help="Frames per second. Default: glb, those of the file; mp4, 30; gif, 20.",
 )

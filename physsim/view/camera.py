@@ -1,0 +1,111 @@
+"""Where a picture is taken from: a pinhole camera, and how it is placed so that everything is seen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from physsim.view.stage import FloatArray
+
+FOCUS = 3.2
+"""Focal length over half the height of the picture: an angle of view of 35 degrees from top to bottom."""
+FILLED = 0.84
+"""What is to be seen fills this part of the picture."""
+FLAT = 0.12
+"""A scene thinner than this part of its size is looked at from its broad side."""
+FROM_FRONT, FROM_ABOVE, OVERVIEW = (-72.0, 10.0), (-78.0, 48.0), (-58.0, 22.0)
+"""Azimuth and elevation [degrees] for scenes in an upright plane, for flat ones, and for all others."""
+
+
+@dataclass(frozen=True)
+class Camera:
+    """eye (3) [m]; axes (3, 3): unit vectors to the right of the picture, up in it, and into it; size: pixels
+    across and down.
+    """
+
+    eye: FloatArray
+    axes: FloatArray
+    size: tuple[int, int]
+
+    def moved(self, by: FloatArray) -> Camera:
+        """The same view from another place: by (3) [m]."""
+        return replace(self, eye=self.eye + by)
+
+    def pixels(self, points: FloatArray) -> FloatArray:
+        """Columns and rows from the upper left corner, and depths [m], (n, 3), of points (n, 3) [m].
+
+        Square pixels: column = width / 2 + f x / depth, f = FOCUS height / 2. Behind the camera: NaN.
+        """
+        x, y, depth = ((points - self.eye) @ self.axes.T).T
+        scale = FOCUS * self.size[1] / 2 / np.where(depth > 0, depth, np.nan)
+        return np.column_stack([self.size[0] / 2 + scale * x, self.size[1] / 2 - scale * y, depth])
+
+
+@dataclass(frozen=True)
+class View:
+    """What a user may say of the camera; None: found from the scene.
+
+    azimuth and elevation [degrees] of the camera seen from what it looks at: azimuth 0 is the x axis, 90 the
+    y axis; distance [m]; target (3) [m]: what it looks at.
+    """
+
+    azimuth: float | None = None
+    elevation: float | None = None
+    distance: float | None = None
+    target: tuple[float, float, float] | None = None
+
+
+def placed(view: View, points: FloatArray, size: tuple[int, int]) -> Camera:
+    """A camera as the view says that sees all points (n, 3) [m] where the view leaves that open."""
+    azimuth, elevation = _direction(view, points)
+    axes = looking(azimuth, elevation)
+    eye, target = fitting(points, axes, size)
+    if view.target is not None or view.distance is not None:
+        distance = float((target - eye) @ axes[2]) if view.distance is None else view.distance
+        target = target if view.target is None else np.asarray(view.target, np.float64)
+        eye = target - distance * axes[2]
+    return Camera(eye, axes, size)
+
+
+def looking(azimuth: float, elevation: float) -> FloatArray:
+    """Axes (3, 3), right, up, into the picture, of a camera in that direction [degrees]; z is up."""
+    a, e = np.radians([azimuth, elevation])
+    into = -np.array([np.cos(a) * np.cos(e), np.sin(a) * np.cos(e), np.sin(e)])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    return np.array([right, np.cross(right, into), into])
+
+
+def fitting(points: FloatArray, axes: FloatArray, size: tuple[int, int]) -> tuple[FloatArray, FloatArray]:
+    """The nearest eye (3) from which all points fill no more than FILLED of the picture, and the middle
+    (3) of what it sees.
+
+    |x - eye_x| <= m (z - eye_z), m the tangent of the angle of view: the largest x - m z and -x - m z give
+    eye_x and eye_z; likewise for y.
+    """
+    seen = points @ axes.T
+    tangents = FILLED / FOCUS * np.array([size[0] / size[1], 1.0])
+    most = (seen[:, :2] - tangents * seen[:, 2:]).max(axis=0)
+    least = (-seen[:, :2] - tangents * seen[:, 2:]).max(axis=0)
+    across = (most - least) / 2
+    back = (-(most + least) / (2 * tangents)).min()
+    nearest, farthest = seen[:, 2].min(), seen[:, 2].max()
+    back = min(back, nearest - 0.2 * (farthest - nearest) - 1e-9)
+    middle = np.array([*across, (nearest + farthest) / 2])
+    return np.array([*across, back]) @ axes, middle @ axes
+
+
+def _direction(view: View, points: FloatArray) -> tuple[float, float]:
+    """As the view says; else upright planes from the front, flat scenes from above."""
+    extent = np.ptp(points, axis=0)
+    thin = extent < FLAT * max(float(extent.max()), 1e-12)
+    if thin[2]:
+        usual = FROM_ABOVE
+    elif thin[0] and not thin[1]:
+        usual = (FROM_FRONT[0] + 90.0, FROM_FRONT[1])
+    else:
+        usual = FROM_FRONT if thin[1] and not thin[0] else OVERVIEW
+    return (
+        usual[0] if view.azimuth is None else view.azimuth,
+        usual[1] if view.elevation is None else view.elevation,
+    )

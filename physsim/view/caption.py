@@ -1,0 +1,99 @@
+"""Words in pictures: the time, the title, the grid's spacing, names at bodies, centres of mass."""
+
+# ruff: noqa: PLC0415  Pillow is an extra
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from physsim.view.camera import Camera
+from physsim.view.painter import Pixels
+from physsim.view.pillow import pillow
+from physsim.view.stage import FloatArray
+
+INK, HALO, FAINT = (33, 41, 54), (255, 255, 255), (92, 102, 114)
+LETTERS = 1 / 30
+"""Height of letters over the height of the picture; never under SMALLEST pixels."""
+SMALLEST = 11
+LONGEST_TITLE = 80
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A word at a place (3) [m]; with a centre-of-mass sign when `massive`."""
+
+    place: FloatArray
+    text: str
+    massive: bool = False
+
+
+@dataclass(frozen=True)
+class Caption:
+    """time: lower left; scale: lower right; title: upper left; empty for none."""
+
+    time: str = ""
+    scale: str = ""
+    title: str = ""
+    marks: Sequence[Mark] = ()
+
+
+def captioned(pixels: Pixels, camera: Camera, caption: Caption) -> Any:
+    """A Pillow image: the picture with its words."""
+    from PIL import ImageDraw
+
+    image = pillow().fromarray(pixels)
+    draw = ImageDraw.Draw(image)
+    width, height = image.size
+    size = max(SMALLEST, round(height * LETTERS))
+    edge = round(0.8 * size)
+    for mark in caption.marks:
+        _mark(draw, camera, mark, max(SMALLEST - 1, round(0.75 * size)))
+    _write(draw, (edge, height - edge), caption.time, size, anchor="ls", ink=INK)
+    _write(draw, (width - edge, height - edge), caption.scale, round(0.8 * size), anchor="rs", ink=FAINT)
+    _write(draw, (edge, edge), _short(caption.title), round(1.1 * size), anchor="lt", ink=INK)
+    return image
+
+
+def _short(text: str) -> str:
+    plain = " ".join(text.split())
+    return plain if len(plain) <= LONGEST_TITLE else plain[: LONGEST_TITLE - 1] + "…"
+
+
+def _write(
+    draw: Any, where: tuple[float, float], text: str, size: int, *, anchor: str, ink: tuple[int, ...]
+) -> None:
+    from PIL import ImageFont
+
+    if text:
+        draw.text(
+            where,
+            text,
+            font=ImageFont.load_default(size),
+            fill=ink,
+            anchor=anchor,
+            stroke_width=max(1, size // 9),
+            stroke_fill=HALO,
+        )
+
+
+def _mark(draw: Any, camera: Camera, mark: Mark, size: int) -> None:
+    x, y, _ = camera.pixels(mark.place[None])[0]
+    if not (np.isfinite(x) and np.isfinite(y)):
+        return
+    if mark.massive:
+        _center_of_mass(draw, (x, y), 0.42 * size)
+    _write(draw, (x + 0.6 * size, y - 0.35 * size), mark.text, size, anchor="ls", ink=INK)
+
+
+def _center_of_mass(draw: Any, middle: tuple[float, float], radius: float) -> None:
+    """The engineers' sign: a disc in four quarters."""
+    x, y = middle
+    box = (x - radius, y - radius, x + radius, y + radius)
+    draw.ellipse(box, fill=HALO)
+    draw.pieslice(box, 0, 90, fill=INK)
+    draw.pieslice(box, 180, 270, fill=INK)
+    draw.ellipse(box, outline=INK, width=max(1, round(radius / 5)))

@@ -1,0 +1,187 @@
+"""A trajectory as pictures at any of its times: what stands there, from where, with which signs and words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from physsim.recording import Trajectory
+from physsim.recording.orientation import rotated
+from physsim.view.camera import Camera, View, placed
+from physsim.view.caption import Caption, Mark, captioned
+from physsim.view.clip import Clip
+from physsim.view.light import linear, told_apart
+from physsim.view.painter import Painter, grid_spacing
+from physsim.view.setting import Setting, setting_of
+from physsim.view.signs import Signs
+from physsim.view.stage import FloatArray, stage_of
+from physsim.view.things import Extra
+
+SIGNS = ("contacts", "joints", "springs", "trails", "frames", "labels")
+USUAL_SIGNS = ("springs",)
+WORDS = ("time", "scale", "title")
+USUAL_WORDS = ("time", "scale")
+LOOKED_AT = 120
+"""The camera is placed by the poses at so many instants, evenly chosen."""
+FOLLOWED = 6.0
+"""Who follows a body sees so many of its sizes around it."""
+MOST_TRAILS, TRAIL_POINTS, MOST_ARROWS = 60, 240, 300
+
+
+@dataclass(frozen=True)
+class Look:
+    """What a user may say of a picture. size: pixels across and down; signs: of `SIGNS`; words: of `WORDS`;
+    follow: a body that the camera keeps up with.
+    """
+
+    size: tuple[int, int] = (1280, 720)
+    view: View = field(default_factory=View)
+    signs: tuple[str, ...] = USUAL_SIGNS
+    words: tuple[str, ...] = USUAL_WORDS
+    follow: str | None = None
+
+
+class Show:
+    """Pictures of one trajectory between two times [s], all from one camera unless it follows a body.
+
+    Raises FileTrouble when the file keeps no shapes, NotInFile for a body or contacts that it has not.
+    """
+
+    def __init__(self, trajectory: Trajectory, look: Look, span: tuple[float, float]) -> None:
+        self.trajectory, self.look = trajectory, look
+        self.stage = stage_of(trajectory)
+        self._painter = Painter(self.stage)
+        self._followed = None if look.follow is None else trajectory.index_of(look.follow)
+        positions, orientations = self._poses(
+            np.linspace(*span, LOOKED_AT) if span[1] > span[0] else np.array(span[:1])
+        )
+        self._start = positions[0]
+        self.setting = self._setting(positions, orientations)
+        self.camera = placed(look.view, self.setting.points, look.size)
+        self._signs = Signs(self.stage, self.setting, self._painter.boxes, positions[0], orientations[0])
+        self._largest = self._largest_force(span) if "contacts" in look.signs else 0.0
+
+    def pictures(self, times: FloatArray, fine: bool = True) -> Iterator[Any]:
+        """A Pillow image for each time [s], in order."""
+        clip = Clip(self.trajectory, times)
+        for part, positions, orientations in clip.blocks(np.arange(len(self.stage.actors))):
+            for time, position, orientation in zip(times[part], positions, orientations, strict=True):
+                yield self._picture(float(time), position, orientation, fine)
+
+    def _picture(self, time: float, positions: FloatArray, orientations: FloatArray, fine: bool) -> Any:
+        camera, setting = self._moved(positions)
+        extras = list(self._extras(time, positions, orientations))
+        pixels = self._painter.draw(camera, setting, positions, orientations, extras=extras, fine=fine)
+        return captioned(pixels, camera, self._caption(time, positions, orientations))
+
+    def _poses(self, times: FloatArray) -> tuple[FloatArray, FloatArray]:
+        bodies = np.arange(len(self.stage.actors))
+        blocks = list(Clip(self.trajectory, times).blocks(bodies))
+        return np.concatenate([p for _, p, _ in blocks]), np.concatenate([q for _, _, q in blocks])
+
+    def _setting(self, positions: FloatArray, orientations: FloatArray) -> Setting:
+        found = setting_of(self.stage, self._painter.boxes, positions, orientations)
+        if self._followed is None:
+            return found
+        box = self._painter.boxes[self._followed]
+        reach = (
+            FOLLOWED / 2 * float(np.linalg.norm(box[1] - box[0])) if np.isfinite(box).all() else found.size
+        )
+        around = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-0.6, 0.6)])
+        return Setting(self._start[self._followed] + reach / 2 * around)
+
+    def _moved(self, positions: FloatArray) -> tuple[Camera, Setting]:
+        if self._followed is None:
+            return self.camera, self.setting
+        by = positions[self._followed] - self._start[self._followed]
+        return self.camera.moved(by), Setting(self.setting.points + by)
+
+    def _extras(self, time: float, positions: FloatArray, orientations: FloatArray) -> Iterator[Extra]:
+        signs, broken = self.look.signs, self._broken(time)
+        if "springs" in signs:
+            yield from self._signs.springs(positions, orientations, broken)
+        if "joints" in signs:
+            yield from self._signs.joints(positions, orientations, broken)
+        if "frames" in signs:
+            yield from self._signs.frames(positions, orientations)
+        if "contacts" in signs:
+            points, forces = self._contacts(time)
+            yield from self._signs.contacts(points, forces, self._largest)
+        if "trails" in signs:
+            yield from self._trails(time)
+
+    def _broken(self, time: float) -> frozenset[int]:
+        """Numbers of the joints that have broken by then."""
+        if not self.trajectory.has("joints/broken"):
+            return frozenset()
+        frame = int(np.searchsorted(self.trajectory.time, time, side="right")) - 1
+        return frozenset(np.flatnonzero(self.trajectory.series("joints/broken")[frame]).tolist())
+
+    def _contacts(self, time: float) -> tuple[FloatArray, FloatArray]:
+        """Points (n, 3) and forces (n, 3) of the frame nearest to a time, the strongest of them; on
+        the body that moves.
+        """
+        frame = self.trajectory.frame_at(time)
+        table = self.trajectory.contact_rows(frame, frame + 1, ("position", "force", "body_a"), by_name=False)
+        fixed = np.array([actor.fixed for actor in self.stage.actors])
+        forces = np.where(fixed[table["body_a"]][:, None], -table["force"], table["force"])
+        strongest = np.argsort(-np.linalg.norm(forces, axis=1), kind="stable")[:MOST_ARROWS]
+        return table["position"][strongest], forces[strongest]
+
+    def _largest_force(self, span: tuple[float, float]) -> float:
+        """What most contact forces stay below: of the largest of each frame looked at the upper decile."""
+        frames = [self._contacts(time)[1] for time in np.linspace(*span, LOOKED_AT)]
+        largest = [float(np.linalg.norm(forces, axis=1).max()) for forces in frames if len(forces)]
+        return float(np.quantile(largest, 0.9)) if largest else 1.0
+
+    def _trails(self, time: float) -> Iterator[Extra]:
+        """Of the bodies that move, where their centres of mass have been up to a time."""
+        known = self.trajectory.time
+        last = int(np.searchsorted(known, time, side="right"))
+        frames = np.unique(np.linspace(0, max(last - 1, 0), TRAIL_POINTS).astype(int))
+        moving = [k for k, actor in enumerate(self.stage.actors) if not actor.fixed][:MOST_TRAILS]
+        for body in moving:
+            track = self.trajectory.body(self.stage.actors[body].name)
+            position, turned = track.position[:last], track.orientation[:last]
+            center = position[frames] + rotated(turned[frames], self.stage.actors[body].center)
+            yield from self._signs.trail(center, self._colour(body))
+
+    def _colour(self, body: int) -> FloatArray:
+        for solid in self.stage.solids:
+            if solid.body == body:
+                return told_apart(linear(solid.colour), body)
+        return np.ones(3) / 2
+
+    def _caption(self, time: float, positions: FloatArray, orientations: FloatArray) -> Caption:
+        words = self.look.words
+        named = "labels" in self.look.signs
+        return Caption(
+            time=f"t = {time:.{decimals(self.trajectory)}f} s" if "time" in words else "",
+            scale=f"grid {grid_spacing(self.setting):g} m"
+            if "scale" in words and self._painter.grounded
+            else "",
+            title=self.stage.title if "title" in words else "",
+            marks=tuple(labels(self.stage.actors, positions, orientations)) if named else (),
+        )
+
+
+def labels(
+    actors: Any, positions: FloatArray, orientations: FloatArray, massive: bool = False
+) -> Iterator[Mark]:
+    """The names of bodies at their centres of mass; of copies (`brick[0,0,1]`) the first alone."""
+    told = set()
+    for body, actor in enumerate(actors):
+        name = actor.name.partition("[")[0]
+        if np.isfinite(actor.mass) and name not in told:
+            told.add(name)
+            place = positions[body] + rotated(orientations[body : body + 1], actor.center)[0]
+            yield Mark(place, actor.name, massive)
+
+
+def decimals(trajectory: Trajectory) -> int:
+    """Of times in seconds: as many as tell frames apart, from 2 to 6."""
+    steps = np.diff(trajectory.time[:2])
+    return int(np.clip(np.ceil(-np.log10(steps[0])), 2, 6)) if steps.size and steps[0] > 0 else 2
