@@ -1,0 +1,1 @@
+"""physsim beside other engines: one set of scenes, one step. See `python -m benchmarks --help`."""
