@@ -7,11 +7,12 @@
 
 use crate::body::Body;
 use crate::collide::{Detector, Found, Job, Oracle};
-use crate::contact::{relative_velocity, Contact};
+use crate::contact::{relative_velocity, Contact, Meeting};
 use crate::impact::{normal_acceleration, touching_instant, Rules};
 use crate::math::rotation_from_vector;
 use crate::model::{Geom, PairTable, Settings};
 use crate::mover::Twist;
+use crate::narrowphase::ContactPoint;
 use crate::shape::Pose;
 
 /// Contacts appear before the surfaces touch, at this part of the smaller geom's bounding radius.
@@ -90,7 +91,7 @@ impl Approach {
         std::mem::swap(&mut self.first, &mut detector.found);
         for points in self.first.chunk_by(|a, b| a.job == b.job) {
             let job = &jobs[points[0].job as usize];
-            let earliest = start.earliest_touch(job, points, 0.0);
+            let earliest = start.survey(job, points, 0.0, out);
             if earliest > 0.0 && earliest.is_finite() {
                 self.pursuits.push(Pursuit {
                     job: points[0].job,
@@ -98,7 +99,6 @@ impl Approach {
                     state: Chase::Open,
                 });
             }
-            start.near_contacts(job, points, 0.0, out);
         }
         if !self.pursuits.is_empty() {
             self.pursue(start, jobs, detector, oracle, out)?;
@@ -128,11 +128,13 @@ impl Approach {
             out.truncate(hits);
             for points in detector.found.chunk_by(|a, b| a.job == b.job) {
                 let pursuit = &mut self.pursuits[points[0].job as usize];
-                let (job, found_at) = (&jobs[pursuit.job as usize], pursuit.instant);
-                start.advance(pursuit, job, points);
+                let job = &jobs[pursuit.job as usize];
+                let before = out.len();
+                let next = start.survey(job, points, pursuit.instant, out);
+                start.advance(pursuit, job, points, next);
                 open |= pursuit.state == Chase::Open;
-                if pursuit.state != Chase::Missed {
-                    start.near_contacts(job, points, found_at, out);
+                if pursuit.state == Chase::Missed {
+                    out.truncate(before);
                 }
             }
             if !open {
@@ -206,24 +208,38 @@ impl StepStart<'_> {
         Job { poses, ..*job }
     }
 
-    /// A contact at a point found with both bodies where they are at the instant `t`. Its gap is traced back along
-    /// the paths to the start of the step.
-    fn contact(&self, job: &Job, found: &Found, t: f64) -> Contact {
+    /// Contacts at those of the points, found with both bodies where they are at the instant `t`, that nearly touch.
+    /// Returns the first instant at which one of the points is hit, infinite when none is.
+    fn survey(&self, job: &Job, points: &[Found], t: f64, out: &mut Vec<Contact>) -> f64 {
+        let near = self.near(job);
+        let meeting = self.meeting(job, t);
+        let mut earliest = f64::INFINITY;
+        for found in points {
+            let c = self.contact(&meeting, &found.point, t);
+            let touch = touching_instant(&c, self.bodies, self.accelerations, &self.rules);
+            earliest = earliest.min(touch);
+            if found.point.depth > -near {
+                out.push(c);
+            }
+        }
+        earliest
+    }
+
+    fn meeting(&self, job: &Job, t: f64) -> Meeting<'_> {
         let (a, b) = self.geoms(job);
-        let centres = (
-            self.pose_at(a.body, t).position,
-            self.pose_at(b.body, t).position,
-        );
+        let centre = |body: usize| match t {
+            0.0 => self.bodies[body].state.position,
+            _ => self.pose_at(body, t).position,
+        };
         let coefficients = self.pairs.get(a.material, b.material);
-        let mut c = Contact::new(
-            job.geoms,
-            (a, b),
-            self.bodies,
-            centres,
-            coefficients,
-            &found.point,
-        );
-        c.noise = self.noise[a.body].max(self.noise[b.body]);
+        let centres = (centre(a.body), centre(b.body));
+        Meeting::new(job.geoms, (a, b), self.bodies, centres, coefficients)
+    }
+
+    /// A contact at a point found at the instant `t`. Its gap is traced back along the paths to the start of the step.
+    fn contact(&self, meeting: &Meeting, point: &ContactPoint, t: f64) -> Contact {
+        let mut c = meeting.contact(point);
+        c.noise = self.noise[c.bodies.0].max(self.noise[c.bodies.1]);
         if t > 0.0 {
             let fall = normal_acceleration(&c, self.accelerations) * self.fall(t);
             c.gap -= relative_velocity(self.bodies, c.bodies, c.arms).dot(c.normal) * t + fall;
@@ -232,28 +248,12 @@ impl StepStart<'_> {
         c
     }
 
-    /// Contacts at those of the points, found at the instant `t`, that nearly touch.
-    fn near_contacts(&self, job: &Job, points: &[Found], t: f64, out: &mut Vec<Contact>) {
-        let near = self.near(job);
-        let kept = points.iter().filter(|f| f.point.depth > -near);
-        out.extend(kept.map(|f| self.contact(job, f, t)));
-    }
-
-    /// The first instant at which one of these points, found at the instant `t`, is hit; infinite when none is.
-    fn earliest_touch(&self, job: &Job, points: &[Found], t: f64) -> f64 {
-        let touch = |f: &Found| {
-            let c = self.contact(job, f, t);
-            touching_instant(&c, self.bodies, self.accelerations, &self.rules)
-        };
-        points.iter().map(touch).fold(f64::INFINITY, f64::min)
-    }
-
-    /// One look at a pursued pair, whose points were found at its instant: touching, missed, or farther on.
-    fn advance(&self, pursuit: &mut Pursuit, job: &Job, points: &[Found]) {
+    /// One look at a pursued pair, whose points were found at its instant and are hit at `next`: touching, missed, or
+    /// farther on.
+    fn advance(&self, pursuit: &mut Pursuit, job: &Job, points: &[Found], next: f64) {
         if pursuit.state != Chase::Open {
             return;
         }
-        let next = self.earliest_touch(job, points, pursuit.instant);
         let deepest = points
             .iter()
             .map(|f| f.point.depth)

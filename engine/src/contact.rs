@@ -87,35 +87,70 @@ pub fn relative_velocity(
 }
 
 /// K d: the relative velocity that a unit impulse along `d` gives,
-/// (1/m_A + 1/m_B) d + (I_A^-1 (r_A x d)) x r_A + (I_B^-1 (r_B x d)) x r_B.
+/// (1/m_A + 1/m_B) d + (I_A^-1 (r_A x d)) x r_A + (I_B^-1 (r_B x d)) x r_B. Fixed bodies do not turn.
 fn response(a: &Body, b: &Body, arms: (DVec3, DVec3), d: DVec3) -> DVec3 {
     let turn = |body: &Body, r: DVec3| (body.inverse_inertia * r.cross(d)).cross(r);
-    d * (a.mass.inverse_mass + b.mass.inverse_mass) + turn(a, arms.0) + turn(b, arms.1)
+    let mut given = d * (a.mass.inverse_mass + b.mass.inverse_mass);
+    if !a.is_fixed() {
+        given += turn(a, arms.0);
+    }
+    if !b.is_fixed() {
+        given += turn(b, arms.1);
+    }
+    given
 }
 
-impl Contact {
-    /// Set up a contact at a point found by the narrow phase, with both bodies at `centres`.
+/// Two geoms that meet: what all their contact points share.
+pub struct Meeting<'a> {
+    geoms: (u32, u32),
+    indices: (usize, usize),
+    materials: (usize, usize),
+    bodies: (&'a Body, &'a Body),
+    centres: (DVec3, DVec3),
+    coefficients: Coefficients,
+    /// What A's surface moves against B's by itself, in world axes [m/s].
+    belt: DVec3,
+}
+
+impl<'a> Meeting<'a> {
+    /// Of two geoms on two of the bodies, which are at `centres` when they touch.
     #[must_use]
     pub fn new(
         geoms: (u32, u32),
-        pair: (&Geom, &Geom),
-        bodies: &[Body],
+        (a, b): (&Geom, &Geom),
+        bodies: &'a [Body],
         centres: (DVec3, DVec3),
         coefficients: Coefficients,
-        point: &ContactPoint,
     ) -> Self {
-        let indices = (pair.0.body, pair.1.body);
-        let (a, b) = (&bodies[indices.0], &bodies[indices.1]);
-        let arms = (point.position - centres.0, point.position - centres.1);
+        let both = (&bodies[a.body], &bodies[b.body]);
+        let own = |body: &Body| body.rotation * body.surface_velocity;
+        Self {
+            geoms,
+            indices: (a.body, b.body),
+            materials: (a.material, b.material),
+            bodies: both,
+            centres,
+            coefficients,
+            belt: own(both.0) - own(both.1),
+        }
+    }
+
+    /// The contact at a point found by the narrow phase.
+    #[must_use]
+    pub fn contact(&self, point: &ContactPoint) -> Contact {
+        let (a, b) = self.bodies;
+        let arms = (
+            point.position - self.centres.0,
+            point.position - self.centres.1,
+        );
         let k_n = response(a, b, arms, point.normal);
         let (tangent_1, tangent_2, k_tangent) =
             principal_tangents(point.normal, |d| response(a, b, arms, d));
-        let belt = a.rotation * a.surface_velocity - b.rotation * b.surface_velocity;
-        let surface = DVec3::new(0.0, belt.dot(tangent_1), belt.dot(tangent_2));
-        Self {
-            geoms,
-            bodies: indices,
-            materials: (pair.0.material, pair.1.material),
+        let surface = DVec3::new(0.0, self.belt.dot(tangent_1), self.belt.dot(tangent_2));
+        Contact {
+            geoms: self.geoms,
+            bodies: self.indices,
+            materials: self.materials,
             position: point.position,
             normal: point.normal,
             tangent_1,
@@ -130,20 +165,22 @@ impl Contact {
             give: 0.0,
             k_coupling: (k_n.dot(tangent_1), k_n.dot(tangent_2)),
             k_tangent,
-            coefficients,
+            coefficients: self.coefficients,
             friction: Friction::Static,
             target: 0.0,
             impulse: DVec3::ZERO,
             impact_impulse: DVec3::ZERO,
-            roll: Roll::new(&coefficients, a, b, point.normal),
-            velocity_before: relative_velocity(bodies, indices, arms)
+            roll: Roll::new(&self.coefficients, a, b, point.normal),
+            velocity_before: a.velocity_at(arms.0) - b.velocity_at(arms.1)
                 + tangent_1 * surface.y
                 + tangent_2 * surface.z,
             velocity_after: DVec3::ZERO,
             sliding: false,
         }
     }
+}
 
+impl Contact {
     /// World vector of an impulse given along normal and tangents.
     #[must_use]
     pub fn to_world(&self, impulse: DVec3) -> DVec3 {

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::body::Body;
 use crate::collide::{Job, Oracle};
-use crate::contact::Contact;
+use crate::contact::{Contact, Meeting};
 use crate::force::Potential;
 use crate::impact::Event;
 use crate::joint::Joints;
@@ -43,14 +43,7 @@ impl World {
                 self.bodies[b.body].state.position,
             );
             let coefficients = self.pairs.get(a.material, b.material);
-            Contact::new(
-                (i, j),
-                (a, b),
-                &self.bodies,
-                centres,
-                coefficients,
-                &found.point,
-            )
+            Meeting::new((i, j), (a, b), &self.bodies, centres, coefficients).contact(&found.point)
         };
         Ok(self.detector.found.iter().map(contact).collect())
     }
