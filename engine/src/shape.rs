@@ -180,6 +180,11 @@ impl Aabb {
         self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
     }
 
+    /// Whether the other box lies within this one (false with NaN).
+    pub fn contains(&self, other: &Self) -> bool {
+        self.min.cmple(other.min).all() && other.max.cmple(self.max).all()
+    }
+
     /// Middle of the box.
     pub fn center(&self) -> DVec3 {
         (self.min + self.max) * 0.5

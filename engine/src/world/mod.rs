@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::approach::{near_margin, Approach, StepStart};
 use crate::articulation::Articulation;
 use crate::body::{Body, MassProperties, State};
-use crate::broadphase::Broadphase;
+use crate::broadphase::{Broadphase, Places};
 use crate::collide::{Detector, Job, Oracle};
 use crate::contact::{Contact, Memory};
 use crate::force::{Forces, Powers};
@@ -23,7 +23,7 @@ use crate::model::{Geom, Model, PairTable, Settings, Stabilization};
 use crate::mover::Twist;
 use crate::paths::Paths;
 use crate::position::Correction;
-use crate::shape::Aabb;
+use crate::shape::{Aabb, Pose};
 use crate::solver::{Report, Solver};
 
 /// Speeds above this are a blow-up, not physics [m/s].
@@ -74,6 +74,10 @@ pub struct World {
     step: u64,
     resting_steps: u64,
     fallbacks: u64,
+    /// Of each body: how far its geometry may get in the step [m].
+    travels: Vec<f64>,
+    /// Of each geom.
+    poses: Vec<Pose>,
     boxes: Vec<Aabb>,
     candidates: Vec<(u32, u32)>,
     jobs: Vec<Job>,
@@ -129,6 +133,8 @@ impl World {
             step: 0,
             resting_steps: 0,
             fallbacks: 0,
+            travels: Vec::new(),
+            poses: Vec::new(),
             boxes: Vec::new(),
             candidates: Vec::new(),
             jobs: Vec::new(),
@@ -201,20 +207,16 @@ impl World {
     /// Contacts of this step: points that are nearly touching, and points that will touch before the step ends, at
     /// the instant of touching.
     fn collide(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
-        let travel = |(b, a): (&Body, &Twist)| {
-            let spin = b.angular_velocity.length() + a.angular_velocity.length() * h;
-            // A half-space reaches infinitely far, but most stand still.
-            let swept = if spin > 0.0 { spin * b.reach } else { 0.0 };
-            h * (b.state.velocity.length() + a.velocity.length() * h + swept)
-        };
-        let bodies = self.bodies.iter();
-        let travels: Vec<f64> = bodies.zip(&self.loads.accelerations).map(travel).collect();
-        self.find_candidates(&travels);
+        self.foresee_travels(h);
+        self.find_candidates();
         self.jobs.clear();
         for &(i, j) in &self.candidates {
             let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
-            let margin = near_margin(a, b) + travels[a.body] + travels[b.body];
-            self.jobs.push(self.job((i, j), margin));
+            self.jobs.push(Job {
+                geoms: (i, j),
+                poses: (self.poses[i as usize], self.poses[j as usize]),
+                margin: near_margin(a, b) + self.travels[a.body] + self.travels[b.body],
+            });
         }
         let start = StepStart {
             settings: &self.settings,
@@ -254,21 +256,39 @@ impl World {
         }
     }
 
+    /// How far the geometry of each body may get within `h`.
+    fn foresee_travels(&mut self, h: f64) {
+        let travel = |(b, a): (&Body, &Twist)| {
+            let spin = b.angular_velocity.length() + a.angular_velocity.length() * h;
+            // A half-space reaches infinitely far, but most stand still.
+            let swept = if spin > 0.0 { spin * b.reach } else { 0.0 };
+            h * (b.state.velocity.length() + a.velocity.length() * h + swept)
+        };
+        let bodies = self.bodies.iter();
+        self.travels.clear();
+        self.travels
+            .extend(bodies.zip(&self.loads.accelerations).map(travel));
+    }
+
     /// Pairs of geoms whose boxes, grown by what the bodies may travel in a step, overlap.
-    fn find_candidates(&mut self, travels: &[f64]) {
+    fn find_candidates(&mut self) {
+        self.poses.clear();
         self.boxes.clear();
         for geom in &self.geoms {
             let pose = geom.pose(&self.bodies[geom.body].pose());
-            let grown = travels[geom.body] + near_margin(geom, geom);
+            let grown = self.travels[geom.body] + near_margin(geom, geom);
             self.boxes.push(geom.shape.aabb(&pose).expanded(grown));
+            self.poses.push(pose);
         }
+        let places = Places {
+            geoms: &self.geoms,
+            poses: &self.poses,
+            boxes: &self.boxes,
+            travels: &self.travels,
+        };
         let bodies = &self.bodies;
-        self.broadphase.pairs(
-            &self.geoms,
-            &self.boxes,
-            |k| !bodies[k].is_fixed(),
-            &mut self.candidates,
-        );
+        self.broadphase
+            .pairs(&places, |k| !bodies[k].is_fixed(), &mut self.candidates);
     }
 
     /// Two geoms where their bodies are now.

@@ -26,7 +26,9 @@ impl World {
         margin: f64,
         oracle: &mut dyn Oracle,
     ) -> Result<Vec<Contact>, Failure> {
-        self.find_candidates(&vec![margin; self.bodies.len()]);
+        self.travels.clear();
+        self.travels.resize(self.bodies.len(), margin);
+        self.find_candidates();
         let jobs: Vec<Job> = self
             .candidates
             .iter()
