@@ -475,7 +475,8 @@ impl Kinks {
         rules: &Rules,
     ) -> f64 {
         let speed = crate::contact::relative_velocity(bodies, c.bodies, c.arms).dot(c.normal);
-        if speed >= -quiet_speed(c, accelerations, rules) {
+        // Most contacts rest, and need not be asked what forces may bring about.
+        if speed >= -noise_floor(c, rules) || speed >= -quiet_speed(c, accelerations, rules) {
             return f64::INFINITY;
         }
         let gap = c.gap + self.gap_change(c);
@@ -555,9 +556,12 @@ pub fn quiet_speed(c: &Contact, accelerations: &[Twist], rules: &Rules) -> f64 {
     // Not of the difference: a body that is held from below falls onto it, whatever its own acceleration is.
     let along = |body: usize, arm: DVec3| accelerations[body].at(arm).dot(c.normal).abs();
     (along(c.bodies.0, c.arms.0).max(along(c.bodies.1, c.arms.1)) * rules.whole)
-        .max(rules.tolerance)
-        .max(rules.bounce_speed)
-        .max(c.noise)
+        .max(noise_floor(c, rules))
+}
+
+/// The part of it that has nothing to do with forces [m/s].
+fn noise_floor(c: &Contact, rules: &Rules) -> f64 {
+    rules.tolerance.max(rules.bounce_speed).max(c.noise)
 }
 
 /// From the velocity that the integrator carries at the start of a step to the velocity at the instant t of the parabola

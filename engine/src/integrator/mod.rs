@@ -47,6 +47,12 @@ impl Integrator {
         }
     }
 
+    /// Momenta change after bodies moved; semi-implicit Euler moves them last.
+    #[must_use]
+    pub fn ends_with_kick(self) -> bool {
+        self != Self::SemiImplicitEuler
+    }
+
     /// Move all bodies over the span of `d`.
     ///
     /// Stoermer-Verlet, velocity Verlet and leapfrog are one and the same map written in three ways, also with forces

@@ -14,7 +14,7 @@
 use super::polytope::Plane;
 use super::{ContactPoint, Posed};
 use crate::position::SLOP;
-use crate::shape::{Face, Shape};
+use crate::shape::{Face, Pose, Shape};
 use glam::DVec3;
 
 /// Overlap or gap up to which faces are level: what resting bodies are left with, and as much again for those that are
@@ -42,55 +42,80 @@ pub(crate) fn drop_passing(a: &Posed, b: &Posed, points: &mut Vec<ContactPoint>,
 /// else with a face.
 fn lies_flush(shape: &Posed, solid: &Posed, outward: DVec3, apart: bool) -> bool {
     let limit = if apart { TURNED_APART } else { TURNED };
-    faces(solid).any(|face| {
-        face.normal.dot(outward) < limit
-            && touches(shape, &face)
+    let outward = solid.pose.inverse_direction(outward);
+    let center = solid
+        .pose
+        .inverse_point(shape.pose.point(shape.shape.center()));
+    // In the solid's axes, where most faces are seen to be beside the point.
+    let beside = |face: &Plane| {
+        face.normal.dot(outward) < limit && face.normal.dot(center) - face.offset > -FLUSH
+    };
+    let touched = |face: Plane| {
+        let face = placed(&face, &solid.pose);
+        touches(shape, &face)
             && (apart || faces(shape).any(|f| -f.normal.dot(face.normal) >= TURNED))
-    })
+    };
+    own_faces(solid.shape).filter(beside).any(touched)
 }
 
-/// Whether a shape touches a plane from outside.
+/// Whether a shape whose centre is outside of a plane touches it.
 fn touches(shape: &Posed, plane: &Plane) -> bool {
-    let height = |p: DVec3| plane.normal.dot(p) - plane.offset;
-    height(shape.pose.point(shape.shape.center())) > -FLUSH
-        && height(shape.support(-plane.normal)).abs() <= FLUSH
+    let lowest = plane.normal.dot(shape.support(-plane.normal)) - plane.offset;
+    lowest.abs() <= FLUSH
 }
 
-/// Planes of a solid's flat faces.
+/// Planes of a solid's flat faces, in world axes.
 fn faces<'a>(solid: &Posed<'a>) -> impl Iterator<Item = Plane> + 'a {
-    let (few, many) = own_faces(solid.shape);
     let pose = solid.pose;
+    own_faces(solid.shape).map(move |face| placed(&face, &pose))
+}
+
+fn placed(face: &Plane, pose: &Pose) -> Plane {
+    let normal = pose.direction(face.normal);
+    let offset = face.offset + normal.dot(pose.position);
+    Plane { normal, offset }
+}
+
+/// Planes of a shape's flat faces, in its frame.
+fn own_faces(shape: &Shape) -> impl Iterator<Item = Plane> + '_ {
+    let few = match shape {
+        Shape::Box { .. } => 6,
+        Shape::Cylinder { .. } => 2,
+        Shape::Cone { .. } => 1,
+        _ => 0,
+    };
+    let many: &[Face] = match shape {
+        Shape::Hull(hull) => hull.faces(),
+        _ => &[],
+    };
     let many = many.iter().map(|face| Plane {
         normal: face.normal,
         offset: face.offset,
     });
-    few.into_iter().flatten().chain(many).map(move |face| {
-        let normal = pose.direction(face.normal);
-        let offset = face.offset + normal.dot(pose.position);
-        Plane { normal, offset }
-    })
+    (0..few).map(|k| simple_face(shape, k)).chain(many)
 }
 
-/// Planes of a shape's flat faces, in its frame: a hull's come as they are.
-fn own_faces(shape: &Shape) -> ([Option<Plane>; 6], &[Face]) {
-    let plane = |normal, offset| Some(Plane { normal, offset });
-    let mut few = [None; 6];
+/// Of a box, a cylinder or a cone.
+fn simple_face(shape: &Shape, k: usize) -> Plane {
+    let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
     match shape {
-        Shape::Hull(hull) => return (few, hull.faces()),
-        Shape::Box { half } => {
-            for (axis, pair) in few.chunks_exact_mut(2).enumerate() {
-                pair[0] = plane(DVec3::AXES[axis], half[axis]);
-                pair[1] = plane(-DVec3::AXES[axis], half[axis]);
-            }
-        }
-        Shape::Cylinder { half_height, .. } => {
-            few[0] = plane(DVec3::Z, *half_height);
-            few[1] = plane(DVec3::NEG_Z, *half_height);
-        }
-        Shape::Cone { height, .. } => few[0] = plane(DVec3::NEG_Z, 0.25 * height),
-        _ => {}
+        Shape::Box { half } => Plane {
+            normal: sign * DVec3::AXES[k / 2],
+            offset: half[k / 2],
+        },
+        Shape::Cone { height, .. } => Plane {
+            normal: DVec3::NEG_Z,
+            offset: 0.25 * height,
+        },
+        Shape::Cylinder { half_height, .. } => Plane {
+            normal: sign * DVec3::Z,
+            offset: *half_height,
+        },
+        _ => Plane {
+            normal: DVec3::ZERO,
+            offset: f64::INFINITY,
+        },
     }
-    (few, &[])
 }
 
 #[cfg(test)]
@@ -98,7 +123,6 @@ mod tests {
     use super::super::testing::{at, contacts, deepest, prism, turned, Random};
     use super::super::{manifold, Scratch};
     use super::*;
-    use crate::shape::Pose;
 
     const TABLE: Shape = Shape::Box {
         half: DVec3::new(1.0, 1.0, 0.5),

@@ -362,7 +362,9 @@ impl World {
         self.settings.integrator.advance(&mut self.bodies, &mut d);
         let (work, stabilization) = (d.work, d.stabilization);
         // Kicks add to the angular velocity; from the same momentum and pose it is to be the same, also after a resume.
-        self.bodies.iter_mut().for_each(Body::derive);
+        if self.settings.integrator.ends_with_kick() || !self.articulation.is_empty() {
+            self.bodies.iter_mut().for_each(Body::derive);
+        }
         self.ledger.work_forces += work.forces;
         self.ledger.work_motors += work.motors;
         self.ledger.lost_damping -= work.damping;
