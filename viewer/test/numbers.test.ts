@@ -38,7 +38,7 @@ test("forces of a pair are summed as they act on the body that is asked for", ()
 
 test("legends leave out what all names share", () => {
   assert.deepEqual(shortNames(["bodies.a.b.position.x", "bodies.a.b.position.y"]), ["x", "y"]);
-  assert.deepEqual(shortNames(["energy.total"]), ["energy.total"]);
+  assert.deepEqual(shortNames(["energy.total"]), ["total"]);
 });
 
 test("speeds go up and down the list, and end there", () => {

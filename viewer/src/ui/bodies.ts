@@ -37,12 +37,12 @@ export class Bodies {
 
   /** The moment changed. */
   update(): void {
-    if (this.card && this.element.offsetParent) this.print();
+    if (this.card && this.element.isConnected) this.print();
   }
 
   /** What to look at, or the search when nothing is selected. */
   focus(): void {
-    (this.element.querySelector<HTMLElement>("input, button"))?.focus();
+    this.element.querySelector<HTMLElement>("input, button")?.focus();
   }
 
   private showSubject(): void {
@@ -52,7 +52,10 @@ export class Bodies {
       this.card = subject && this.cardOf(subject);
       const back = button("Back to the list", "‹ All bodies", "Escape", () => this.selection.select(null));
       back.className = "back";
+      const hadFocus = this.element.contains(document.activeElement);
       this.element.replaceChildren(...(this.card ? [back, this.card.element] : [this.list]));
+      // Not the search: on a phone that would open the keyboard.
+      if (hadFocus) this.element.querySelector<HTMLElement>("button")?.focus();
     }
     if (this.card instanceof BodyCard) this.card.showFollowed();
     this.update();

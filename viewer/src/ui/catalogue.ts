@@ -73,7 +73,6 @@ export function entryOf(recording: Recording, name: string): Entry | null {
 
 /** The names of an entry without what they have in common, for a legend. */
 export function shortNames(names: readonly string[]): string[] {
-  if (names.length === 1) return [names[0]];
   const prefix = names[0].slice(0, names[0].lastIndexOf(".") + 1);
   const shared = names.every((name) => name.startsWith(prefix));
   return names.map((name) => (shared ? name.slice(prefix.length) : name).replaceAll("_", " "));

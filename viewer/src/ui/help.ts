@@ -18,11 +18,14 @@ const GROUPS = ["Play", "View", "Show", "Panels"] as const;
 export function help(root: HTMLElement, shortcuts: readonly Shortcut[]): () => void {
   const box = element("dialog", { class: "sheet help", "aria-labelledby": "help-title" });
   const close = button("Close", icon(...CLOSE), "Escape", () => box.close());
+  const fingers = table("Mouse and fingers", POINTER);
+  const hasKeys = !matchMedia("(pointer: coarse)").matches;
   box.append(
     element("header", {}, element("h2", { id: "help-title" }, "Keys, mouse, fingers"), close),
     element("div", { class: "help-columns" },
+      ...(hasKeys ? [] : [fingers]),
       ...GROUPS.map((group) => table(group, shortcuts.filter((one) => one.group === group).map((one) => [one.print, one.does]))),
-      table("Mouse and fingers", POINTER)),
+      ...(hasKeys ? [fingers] : [])),
   );
   box.addEventListener("click", (event) => event.target === box && box.close());
   root.append(box);
@@ -33,7 +36,7 @@ function table(name: string, rows: readonly (readonly [string, string])[]): HTML
   const asKeys = (text: string): (Node | string)[] => (rows === POINTER ? [text] : caps(text));
   const lines = rows.map(([keys, does]) =>
     element("tr", {}, element("th", { scope: "row" }, ...asKeys(keys)), element("td", {}, does)));
-  return element("section", {}, element("h3", {}, name), element("table", {}, element("tbody", {}, ...lines)));
+  return element("section", { class: rows === POINTER ? "fingers" : "keys" }, element("h3", {}, name), element("table", {}, element("tbody", {}, ...lines)));
 }
 
 /** Two spaces stand between keys that do the same. */

@@ -70,8 +70,10 @@ export class Panels {
   }
 
   close(side: Side): void {
+    if (this.sides[side].contains(document.activeElement)) this.switches.get(this.open[side]?.name ?? "")?.focus();
     this.open[side] = null;
     this.sides[side].hidden = true;
+    this.sides[side].replaceChildren();
     this.tell();
   }
 

@@ -41,6 +41,8 @@ export class Plot {
   private box: Box = { left: 50, top: MARGIN.top, right: 100, bottom: 100 };
   private across: [number, number] = [0, 1];
   private upright: [number, number] = [0, 1];
+  /** As of the last drawing: to ask for it costs layout. */
+  private ink: Ink = { text: "", faint: "", rule: "", accent: "", dark: false };
 
   constructor(name: string) {
     this.element.append(this.paper, this.glass, this.tip);
@@ -67,6 +69,7 @@ export class Plot {
     const context = sized(this.paper, this.element);
     if (!context) return;
     const shown = this.lines.filter((line) => line.shown);
+    this.ink = inkOf(this.element);
     this.across = [this.times[0] ?? 0, this.times[this.frames - 1] ?? 1];
     if (!(this.across[1] > this.across[0])) this.across[1] = this.across[0] + 1;
     this.upright = withAir(...range(shown.map((line) => line.values), this.frames));
@@ -78,7 +81,7 @@ export class Plot {
   private drawAxes(context: CanvasRenderingContext2D, unit: string): void {
     const { clientWidth: width, clientHeight: height } = this.element;
     const upright = ticks(...this.upright, (height - 54) / 34);
-    const ink = this.ink();
+    const { ink } = this;
     context.font = FONT;
     const widest = Math.max(...upright.labels.map((label) => context.measureText(label).width), 12);
     this.box = { left: Math.ceil(widest) + 12, top: MARGIN.top, right: width - MARGIN.right, bottom: height - MARGIN.bottom };
@@ -117,7 +120,7 @@ export class Plot {
 
   private drawLines(context: CanvasRenderingContext2D, shown: readonly Line[]): void {
     const view: Window = { times: this.times, frames: this.frames, x: (t) => this.x(t), y: (v) => this.y(v) };
-    const dark = this.isDark();
+    const { dark } = this.ink;
     context.save();
     context.beginPath();
     context.rect(this.box.left, this.box.top - 2, this.box.right - this.box.left + 1, this.box.bottom - this.box.top + 4);
@@ -138,7 +141,7 @@ export class Plot {
   private drawCursor(): void {
     const context = sized(this.glass, this.element);
     if (!context || !this.frames) return;
-    const ink = this.ink();
+    const { ink } = this;
     const x = this.x(Math.min(this.across[1], Math.max(this.across[0], this.time)));
     context.lineWidth = 1.5;
     line(context, x, this.box.top, x, this.box.bottom, ink.accent);
@@ -156,12 +159,11 @@ export class Plot {
     context.setLineDash([3, 3]);
     line(context, x, this.box.top, x, this.box.bottom, ink.text);
     context.setLineDash([]);
-    const dark = this.isDark();
     for (const one of this.lines) {
       const value = one.values[frame];
       if (!one.shown || !Number.isFinite(value)) continue;
       const pen = stroke(one.stroke);
-      context.fillStyle = dark ? pen.dark : pen.light;
+      context.fillStyle = ink.dark ? pen.dark : pen.light;
       context.beginPath();
       context.arc(x, this.y(value), 3.5, 0, 2 * Math.PI);
       context.fill();
@@ -221,16 +223,6 @@ export class Plot {
     const share = (value - this.upright[0]) / (this.upright[1] - this.upright[0]);
     return this.box.bottom - share * (this.box.bottom - this.box.top);
   }
-
-  private isDark(): boolean {
-    return document.documentElement.dataset.theme === "dark";
-  }
-
-  private ink(): Ink {
-    const style = getComputedStyle(this.element);
-    const of = (name: string): string => style.getPropertyValue(name).trim();
-    return { text: of("--text"), faint: of("--text-faint"), rule: of("--rule"), accent: of("--accent") };
-  }
 }
 
 interface Ink {
@@ -238,6 +230,14 @@ interface Ink {
   faint: string;
   rule: string;
   accent: string;
+  dark: boolean;
+}
+
+function inkOf(frame: HTMLElement): Ink {
+  const style = getComputedStyle(frame);
+  const of = (name: string): string => style.getPropertyValue(name).trim();
+  const dark = document.documentElement.dataset.theme === "dark";
+  return { text: of("--text"), faint: of("--text-faint"), rule: of("--rule"), accent: of("--accent"), dark };
 }
 
 /** The name of the axis, e.g. "×10³ J"; it stands above the labels. */

@@ -58,7 +58,7 @@ export class PlotCard {
     this.plot.setData(this.recording.times, this.recording.frames, this.lines);
   }
 
-  /** Moves the cursor; cheap enough for every picture. */
+  /** Moves the cursor. */
   setTime(time: number): void {
     this.plot.setTime(time);
   }

@@ -20,6 +20,7 @@ export class Plots {
     autocomplete: "off", spellcheck: "false",
   });
   private readonly results = element("ul", { class: "results", "aria-label": "Quantities found", hidden: true });
+  private readonly move = paced(() => this.cards.forEach((card) => card.setTime(this.player.moment.time)), 40);
   private readonly print = paced(() => this.cards.forEach((card) => card.printValues(this.player.moment.time)));
 
   constructor(
@@ -45,8 +46,8 @@ export class Plots {
 
   /** The moment changed. */
   update(): void {
-    if (!this.element.offsetParent) return;
-    for (const card of this.cards) card.setTime(this.player.moment.time);
+    if (!this.element.isConnected) return;
+    this.move();
     this.print();
   }
 

@@ -18,7 +18,10 @@ const always = (): string => "";
 
 export const SWITCHES: readonly SwitchRow[] = [
   { key: "contacts", name: "Contact points and forces", shortcut: "C",
-    missing: (recording) => (recording.frames && !recording.contacts(0) ? "not recorded" : "") },
+    missing: (recording) => {
+      if (recording.growing || !recording.frames) return "";
+      return !recording.contacts(0) ? "not recorded" : recording.strongestContact > 0 ? "" : "none in this run";
+    } },
   { key: "joints", name: "Joints", shortcut: "J", missing: (recording) => (recording.joints.length ? "" : "none in this scene") },
   { key: "springs", name: "Springs", shortcut: "S", missing: (recording) => (recording.springs.length ? "" : "none in this scene") },
   { key: "labels", name: "Names of bodies", shortcut: "N", missing: always },
