@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from pathlib import Path
 
 import click
 
-from physsim.cli import info_scene, info_trajectory
+from physsim.cli import info_picture, info_scene, info_trajectory
+from physsim.cli.drawing import Size
 from physsim.cli.verb import Example, Verb, debug_option, json_option, set_option
 from physsim.errors import FileTrouble
 
@@ -24,6 +26,10 @@ HEAD_BYTES = 4096
         Example(
             "what a change would do to them", "physsim info my_scene.yaml --set bodies.crate.mass='3 kg'"
         ),
+        Example(
+            "the same, and a picture in which a wrong pose is seen at once",
+            "physsim info my_scene.yaml --picture my_scene_declared.png",
+        ),
         Example("how far a run came, and its energy", "physsim info my_scene.h5"),
         Example(
             "the mass of one body, for a program",
@@ -33,10 +39,28 @@ HEAD_BYTES = 4096
     ],
 )
 @click.argument("file", type=click.Path())
+@click.option(
+    "--picture",
+    is_flag=False,
+    flag_value=info_picture.BESIDE_THE_SCENE,
+    metavar="[FILE.png]",
+    help="Draw the scene as declared: bodies with their frames and centres of mass, joints with their axes, "
+    "springs, overlaps. Default: the scene's name, here.",
+)
+@click.option("--size", type=Size(), default="1280x800", metavar="WxH", help="Pixels of the picture.")
+@click.option("--force", is_flag=True, help="Replace an existing picture.")
 @set_option
 @json_option
 @debug_option
-def command(file: str, overrides: tuple[str, ...], as_json: bool) -> None:
+def command(
+    *,
+    file: str,
+    picture: str | None,
+    size: tuple[int, int],
+    force: bool,
+    overrides: tuple[str, ...],
+    as_json: bool,
+) -> None:
     """Show what physsim makes of a scene, or what a trajectory holds.
 
     Of a scene: each body with its mass, centre of mass, principal moments and axes, and by which method they
@@ -46,11 +70,18 @@ def command(file: str, overrides: tuple[str, ...], as_json: bool) -> None:
     versions and where it came from; also while it is still being written.
     """
     if is_trajectory(Path(file)):
+        if picture is not None:
+            raise click.UsageError(
+                "--picture draws scenes; of a trajectory `physsim export --to png` makes pictures"
+            )
         if overrides:
             raise click.UsageError("--set changes scenes; a trajectory is what it is")
         info_trajectory.show(file, as_json)
     else:
-        info_scene.show(file, overrides, as_json)
+        draw = None
+        if picture is not None:
+            draw = partial(info_picture.draw, info_picture.target_of(picture, file, force=force), size)
+        info_scene.show(file, overrides, as_json, draw)
 
 
 def is_trajectory(path: Path) -> bool:

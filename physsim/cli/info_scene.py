@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import combinations_with_replacement
 from typing import TYPE_CHECKING, Any
 
@@ -19,10 +19,11 @@ if TYPE_CHECKING:
     from physsim.simulation.overlaps import Overlap
 
 Facts = dict[str, Any]
+Picture = Callable[["Scene", "Model", Sequence["Overlap"]], None]
 
 
-def show(file: str, overrides: Sequence[str], as_json: bool) -> None:
-    """Load, compile and describe; raises SceneError and FileTrouble as those do."""
+def show(file: str, overrides: Sequence[str], as_json: bool, picture: Picture | None = None) -> None:
+    """Load, compile, describe and draw; raises SceneError and FileTrouble as those do."""
     from physsim.model import compile_scene
     from physsim.scene import load_scene
     from physsim.simulation.overlaps import find_overlaps
@@ -30,6 +31,8 @@ def show(file: str, overrides: Sequence[str], as_json: bool) -> None:
     scene = load_scene(file, overrides=overrides)
     model = compile_scene(scene)
     overlaps = find_overlaps(model)
+    if picture is not None:
+        picture(scene, model, overlaps)
     warnings = (*scene.warnings, *model.warnings)
     facts = {
         "file": file,

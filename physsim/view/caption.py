@@ -15,7 +15,7 @@ from physsim.view.painter import Pixels
 from physsim.view.pillow import pillow
 from physsim.view.stage import FloatArray
 
-INK, HALO, FAINT = (33, 41, 54), (255, 255, 255), (92, 102, 114)
+INK, HALO, FAINT, ALARM, LINK = (33, 41, 54), (255, 255, 255), (92, 102, 114), (190, 18, 18), (136, 34, 85)
 LETTERS = 1 / 30
 """Height of letters over the height of the picture; never under SMALLEST pixels."""
 SMALLEST = 11
@@ -24,11 +24,15 @@ LONGEST_TITLE = 80
 
 @dataclass(frozen=True)
 class Mark:
-    """A word at a place (3) [m]; with a centre-of-mass sign when `massive`."""
+    """A word at a place (3) [m]; with the sign of a centre of mass when `massive`, with a ring around it when
+    `wrong`; in the colour of joints and springs when `link`.
+    """
 
     place: FloatArray
     text: str
     massive: bool = False
+    wrong: bool = False
+    link: bool = False
 
 
 @dataclass(frozen=True)
@@ -86,7 +90,12 @@ def _mark(draw: Any, camera: Camera, mark: Mark, size: int) -> None:
         return
     if mark.massive:
         _center_of_mass(draw, (x, y), 0.42 * size)
-    _write(draw, (x + 0.6 * size, y - 0.35 * size), mark.text, size, anchor="ls", ink=INK)
+    if mark.wrong:
+        box = (x - size, y - size, x + size, y + size)
+        draw.ellipse(box, outline=ALARM, width=max(2, round(size / 6)))
+    beside = 1.2 if mark.wrong else 0.6
+    ink = ALARM if mark.wrong else LINK if mark.link else INK
+    _write(draw, (x + beside * size, y - 0.35 * size), mark.text, size, anchor="ls", ink=ink)
 
 
 def _center_of_mass(draw: Any, middle: tuple[float, float], radius: float) -> None:

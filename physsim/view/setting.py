@@ -42,10 +42,13 @@ class Setting:
 
 def setting_of(stage: Stage, boxes: FloatArray, positions: FloatArray, orientations: FloatArray) -> Setting:
     """Of bodies with `boxes` (N, 2, 3) at poses (T, N, 3) and (T, N, 4): all that moves, what it is tied to,
-    and what stands around it unless it is a backdrop. The unit cube when there is nothing.
+    and what stands around it unless it is a backdrop. Where nothing moves: all that could. The unit cube when
+    there is nothing.
     """
     there = np.isfinite(boxes).all(axis=(1, 2))
     moves = there & np.array([_moves(positions[:, k], orientations[:, k]) for k in range(len(boxes))], bool)
+    if not moves.any():
+        moves = there & ~np.array([actor.fixed for actor in stage.actors], bool)
     points = corners(boxes[moves], positions[:, moves], orientations[:, moves])
     points = np.concatenate([points, _anchors(stage, positions[0], orientations[0])])
     around = corners(boxes[there & ~moves], positions[:1, there & ~moves], orientations[:1, there & ~moves])

@@ -28,7 +28,7 @@ LOOKED_AT = 120
 """The camera is placed by the poses at so many instants, evenly chosen."""
 FOLLOWED = 6.0
 """Who follows a body sees so many of its sizes around it."""
-MOST_TRAILS, TRAIL_POINTS, MOST_ARROWS = 60, 240, 300
+MOST_TRAILS, TRAIL_POINTS, MOST_ARROWS = 60, 600, 300
 
 
 @dataclass(frozen=True)
@@ -63,11 +63,12 @@ class Show:
         self.camera = placed(look.view, self.setting.points, look.size)
         self._signs = Signs(self.stage, self.setting, self._painter.boxes, positions[0], orientations[0])
         self._largest = self._largest_force(span) if "contacts" in look.signs else 0.0
+        self._way = self._ways(span) if "trails" in look.signs else None
 
     def pictures(self, times: FloatArray, fine: bool = True) -> Iterator[Any]:
         """A Pillow image for each time [s], in order."""
         clip = Clip(self.trajectory, times)
-        for part, positions, orientations in clip.blocks(np.arange(len(self.stage.actors))):
+        for part, positions, orientations in clip.blocks():
             for time, position, orientation in zip(times[part], positions, orientations, strict=True):
                 yield self._picture(float(time), position, orientation, fine)
 
@@ -78,8 +79,7 @@ class Show:
         return captioned(pixels, camera, self._caption(time, positions, orientations))
 
     def _poses(self, times: FloatArray) -> tuple[FloatArray, FloatArray]:
-        bodies = np.arange(len(self.stage.actors))
-        blocks = list(Clip(self.trajectory, times).blocks(bodies))
+        blocks = list(Clip(self.trajectory, times).blocks())
         return np.concatenate([p for _, p, _ in blocks]), np.concatenate([q for _, _, q in blocks])
 
     def _setting(self, positions: FloatArray, orientations: FloatArray) -> Setting:
@@ -111,7 +111,7 @@ class Show:
             points, forces = self._contacts(time)
             yield from self._signs.contacts(points, forces, self._largest)
         if "trails" in signs:
-            yield from self._trails(time)
+            yield from self._trails(time, positions, orientations)
 
     def _broken(self, time: float) -> frozenset[int]:
         """Numbers of the joints that have broken by then."""
@@ -137,17 +137,27 @@ class Show:
         largest = [float(np.linalg.norm(forces, axis=1).max()) for forces in frames if len(forces)]
         return float(np.quantile(largest, 0.9)) if largest else 1.0
 
-    def _trails(self, time: float) -> Iterator[Extra]:
+    def _ways(self, span: tuple[float, float]) -> tuple[FloatArray, FloatArray]:
+        """Times (n) and places (n, N, 3) of the centres of mass on their way."""
+        times = np.linspace(*span, TRAIL_POINTS) if span[1] > span[0] else np.array(span[:1])
+        positions, orientations = self._poses(times)
+        return times, np.array([self._centers(*pose) for pose in zip(positions, orientations, strict=True)])
+
+    def _centers(self, positions: FloatArray, orientations: FloatArray) -> FloatArray:
+        """Centres of mass (N, 3)."""
+        return positions + rotated(orientations, np.array([actor.center for actor in self.stage.actors]))
+
+    def _trails(self, time: float, positions: FloatArray, orientations: FloatArray) -> Iterator[Extra]:
         """Of the bodies that move, where their centres of mass have been up to a time."""
-        known = self.trajectory.time
-        last = int(np.searchsorted(known, time, side="right"))
-        frames = np.unique(np.linspace(0, max(last - 1, 0), TRAIL_POINTS).astype(int))
+        if self._way is None:
+            return
+        times, places = self._way
+        now = self._centers(positions, orientations)
         moving = [k for k, actor in enumerate(self.stage.actors) if not actor.fixed][:MOST_TRAILS]
         for body in moving:
-            track = self.trajectory.body(self.stage.actors[body].name)
-            position, turned = track.position[:last], track.orientation[:last]
-            center = position[frames] + rotated(turned[frames], self.stage.actors[body].center)
-            yield from self._signs.trail(center, self._colour(body))
+            yield from self._signs.trail(
+                np.vstack([places[times < time, body], now[body]]), self._colour(body)
+            )
 
     def _colour(self, body: int) -> FloatArray:
         for solid in self.stage.solids:

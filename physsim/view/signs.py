@@ -85,9 +85,11 @@ class Signs:
         """The axes x, y, z of each body at its origin: red, green, blue, each shorter than the last."""
         for body, box in enumerate(self._boxes):
             if np.isfinite(box).all():
-                length = max(0.75 * float(np.linalg.norm(box[1] - box[0])), 0.05 * self.size)
+                length = float(
+                    np.clip(0.7 * np.linalg.norm(box[1] - box[0]), 0.06 * self.size, 0.16 * self.size)
+                )
                 for axis, colour in enumerate(AXES):
-                    tip = at(body, (1 - 0.15 * axis) * length * np.eye(3)[axis], positions, orientations)
+                    tip = at(body, (1 - 0.2 * axis) * length * np.eye(3)[axis], positions, orientations)
                     arrow = wires.arrow(positions[body], tip - positions[body], 0.0022 * self.size)
                     yield Extra(arrow, colour, Finish.SIGN)
 
