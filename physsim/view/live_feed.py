@@ -75,7 +75,7 @@ class Feed:
         found = {path: np.asarray(value) for path, value in fixed.items() if not path.startswith(_NOT_SHOWN)}
         texts = {path: array.tolist() for path, array in found.items() if array.dtype.kind in "OU"}
         numbers = {path: array for path, array in found.items() if path not in texts}
-        facts = {"title": title, "file": file.name, "duration": duration, "texts": texts}
+        facts = {"title": title, "file": str(file.absolute()), "duration": duration, "texts": texts}
         self._opening = Message("begin", facts, numbers)
         self._begun.set()
 
@@ -86,7 +86,8 @@ class Feed:
 
     def end(self, status: str, detail: str) -> None:
         """How the run ended; the last frame is always seen."""
-        self._ending = Message("end", {"status": status, "detail": detail})
+        frames = 0 if self._newest is None else self._newest.number + 1
+        self._ending = Message("end", {"status": status, "detail": detail, "frames": frames})
         self._over.set()
 
     @property

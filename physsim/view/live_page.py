@@ -1,26 +1,36 @@
-"""The page of a run that is watched: that of a trajectory, with a stream in place of all that moves."""
+"""The page of a run that is watched: that of a trajectory, with a stream in place of all that moves.
+
+When the run is over and pages have not seen every frame, they are sent the page of the whole trajectory, and
+take from it what they lack.
+"""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 import physsim
+from physsim.errors import FileTrouble
+from physsim.recording import open_trajectory
 from physsim.recording.column import FIXED_AXES
 from physsim.recording.layout import EVERYTHING
 from physsim.view.head import still_part
-from physsim.view.live_wire import Message
-from physsim.view.page import assembled
+from physsim.view.live_wire import Message, encoded
+from physsim.view.page import assembled, page_of
 from physsim.view.sections import Sections
 from physsim.view.stage import staged
 
 _UNIT = "_unit"
 _EXACT = "Numbers are those of the file, bit for bit."
-_SAMPLED = "Frames are those that were the newest when they were sent; the file has all of them."
+_SAMPLED = "Frames are those that were the newest when they were sent; all come at the end, if they fit."
 
 
 def live_page(begin: Message) -> bytes:
     """The page for the message that begins a run. Raises ValueError when its parts do not fit together."""
     facts, texts = begin.facts, begin.facts["texts"]
+    file = Path(facts["file"])
 
     def value(path: str) -> Any:
         return texts.get(path, begin.arrays.get(path))
@@ -29,7 +39,7 @@ def live_page(begin: Message) -> bytes:
     head = {
         "about": {
             "title": facts["title"],
-            "file": facts["file"],
+            "file": file.name,
             "status": "running",
             "detail": "",
             "physsim_version": physsim.__version__,
@@ -41,7 +51,17 @@ def live_page(begin: Message) -> bytes:
         "live": {"frames": "frames", "duration": facts["duration"], "tracks": _tracks()},
         "sections": sections.heads,
     }
-    return b"".join(assembled(facts["title"] or facts["file"], head, sections.data, "'self'"))
+    return b"".join(assembled(facts["title"] or file.name, head, sections.data, "'self'"))
+
+
+def whole_page(file: Path) -> bytes:
+    """A message with the page of the whole trajectory; nothing when there is none that can be shown."""
+    try:
+        with open_trajectory(file) as trajectory:
+            page = b"".join(page_of(trajectory).parts)
+    except FileTrouble:
+        return b""
+    return encoded(Message("whole", {}, {"page": np.frombuffer(page, np.uint8)}))
 
 
 def _tracks() -> list[dict[str, Any]]:

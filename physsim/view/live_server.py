@@ -5,7 +5,8 @@ their host, so that no other web site can reach it under a name of its own (DNS 
 for nothing but the page and the stream of its frames.
 
     /TOKEN/                 the page
-    /TOKEN/frames?after=N   messages of `live_wire`: frames later than N as they come, then the end
+    /TOKEN/frames?after=N   messages of `live_wire`: frames later than N as they come, then the end, and then
+                            the page of the whole trajectory where frames were left out
 
 Each browser has a thread, which waits for that browser alone.
 """
@@ -18,12 +19,14 @@ import secrets
 import sys
 import threading
 from contextlib import suppress
+from functools import partial
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
-from physsim.view.live_page import live_page
+from physsim.view.live_page import live_page, whole_page
 from physsim.view.live_show import Show
 from physsim.view.live_store import caught_up
 from physsim.view.live_wire import Message, encoded, read
@@ -39,6 +42,7 @@ SECONDS_BETWEEN_SIGNS = 5.0
 PATIENCE = 60.0
 
 ALIVE = encoded(Message("alive"))
+LOST = {"status": "failed", "detail": "the run ended without a word", "frames": 0}
 HEADERS = {
     "Cache-Control": "no-store",
     "Cross-Origin-Resource-Policy": "same-origin",
@@ -123,6 +127,7 @@ class Handler(BaseHTTPRequestHandler):
                 after = kept.number
             if end is not None:
                 self.wfile.write(end)
+                self.wfile.write(self.server.show.rest())
                 return
             if not frames:
                 self.wfile.write(ALIVE)
@@ -170,19 +175,20 @@ def main() -> int:
 
 def _listen(show: Show) -> None:
     """Takes in what is told until there is no more of it. An end that is not told is one too."""
-    ended = False
+    file, ended = Path(), False
     while (got := read(sys.stdin.buffer)) is not None:
         message, data = got
         if message.kind == "begin":
+            file = Path(message.facts["file"])
             show.open(live_page(message), expected=message.facts["on_its_way"])
         elif message.kind == "frame":
             show.store.add(message.facts["frame"], data)
         elif message.kind == "end":
-            show.store.finish(data)
+            seen = show.store.has_all(message.facts["frames"])
+            show.finish(data, bytes if seen else partial(whole_page, file))
             ended = True
     if not ended:
-        lost = {"status": "failed", "detail": "the run ended without a word"}
-        show.store.finish(encoded(Message("end", lost)))
+        show.finish(encoded(Message("end", LOST)), bytes)
 
 
 def _step_back() -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import cache
 
 from physsim.view.live_store import Store
 
@@ -16,6 +17,7 @@ class Show:
 
     def __init__(self) -> None:
         self.store = Store()
+        self.rest: Callable[[], bytes] = bytes
         self._changed = threading.Condition()
         self._page: bytes | None = None
         self._closed = False
@@ -29,6 +31,17 @@ class Show:
             self._page = page
             self._expected = expected and self._visits == 0
             self._changed.notify_all()
+
+    def finish(self, end: bytes, rest: Callable[[], bytes]) -> None:
+        """The run is over. end: the message that says so; rest: makes what is sent after it, when wanted."""
+        made, lock = cache(rest), threading.Lock()
+
+        def once() -> bytes:
+            with lock:
+                return made()
+
+        self.rest = once
+        self.store.finish(end)
 
     def close(self) -> None:
         """Nothing new will come."""

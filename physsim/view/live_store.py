@@ -50,6 +50,11 @@ class Store:
             self._end = data
             self._changed.notify_all()
 
+    def has_all(self, frames: int) -> bool:
+        """Whether nothing is missing of so many frames."""
+        with self._changed:
+            return len(self._frames) == frames
+
     def after(self, number: int, seconds: float) -> tuple[list[Kept], bytes | None]:
         """Frames later than `number`, and the end when there are no others to come.
 

@@ -29,7 +29,7 @@ _GRAIN = 8
 
 @dataclass(frozen=True)
 class Message:
-    """kind: begin, frame, end or alive; facts: what JSON can say; arrays: numbers, by name."""
+    """kind: begin, frame, end, whole or alive; facts: what JSON can say; arrays: numbers, by name."""
 
     kind: str
     facts: Mapping[str, Any] = field(default_factory=dict)

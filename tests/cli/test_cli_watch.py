@@ -45,10 +45,11 @@ def scenes(tmp_path: Path) -> None:
 
 
 def stream(address: str) -> Iterator[Message]:
-    """Messages as they come, until the stream ends."""
+    """Frames as they come, and the end."""
     with urllib.request.urlopen(address + "frames", timeout=PATIENCE) as answer:
         while (got := read(answer)) is not None:
-            yield got[0]
+            if got[0].kind in {"frame", "end"}:
+                yield got[0]
 
 
 def is_gone(address: str) -> bool:

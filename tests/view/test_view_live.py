@@ -15,8 +15,10 @@ import pytest
 from view_watcher import PATIENCE, Watcher, frames, get
 
 import physsim
+from physsim import open_trajectory
 from physsim.view.live_feed import Feed
 from physsim.view.live_wire import Message
+from physsim.view.page import page_of
 
 SCENE = """
 physsim: 1
@@ -122,6 +124,12 @@ def begun(feed: Feed, **different: Any) -> None:
     feed.begin("By hand", Path("hand.h5"), 1.0, fixed)
 
 
+def page_bytes(path: Path) -> bytes:
+    """The page of a trajectory, as `physsim view` makes it."""
+    with open_trajectory(path) as trajectory:
+        return b"".join(page_of(trajectory).parts)
+
+
 def assert_same_bits(message: Message, file: h5py.File) -> None:
     """The frame is the file's."""
     row = message.facts["frame"]
@@ -141,11 +149,12 @@ class TestWhatPagesGet:
         physsim.run(scene, output=tmp_path / "run.h5", onlooker=held_up).close()
         offered.feed.close()
         for watcher in watchers:
-            *seen, end = watcher.wait()
+            *seen, end, whole = watcher.wait()
             assert (end.kind, end.facts) == (
                 "end",
-                {"status": "complete", "detail": "ran to its end at 0.4 s"},
+                {"status": "complete", "detail": "ran to its end at 0.4 s", "frames": 401},
             )
+            assert whole.arrays["page"].tobytes() == page_bytes(tmp_path / "run.h5")
             numbers = [message.facts["frame"] for message in seen]
             assert numbers == sorted(set(numbers))
             assert (numbers[0], numbers[-1]) == (0, 400)

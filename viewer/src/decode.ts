@@ -1,7 +1,7 @@
 // A page's head and sections as a recording.
 
 import { PackedContacts } from "./contacts";
-import { VERSION, type Head, type Indexed, type LinksHead, type StillHead, type TrackHead } from "./head";
+import { VERSION, type Head, type Indexed, type LinksHead, type MeshHead, type StillHead, type TrackHead } from "./head";
 import { Quantities } from "./quantities";
 import type {
   About, Body, Contacts, Field, Link, MeshData, Placed, QuantityGroup, Recording, Series, SolidKind, Track,
@@ -101,7 +101,7 @@ class StoredRecording implements Recording {
     this.orientation = this.needed("orientation");
     this.velocity = this.needed("velocity");
     this.angularVelocity = this.needed("angular_velocity");
-    this.topSpeed = topSpeed(this);
+    this.topSpeed = topSpeed(this.bodies, this.velocity, 0, this.frames);
     this.quantities = new Quantities(this);
   }
 
@@ -149,13 +149,13 @@ function aboutOf(head: Head): About {
   return { title, file, status, detail, notes, physsimVersion: head.about.physsim_version, framesInFile: head.about.frames_in_file };
 }
 
-/** Largest speed of a body that is not fixed [m/s]. */
-export function topSpeed(recording: Pick<Recording, "bodies" | "velocity" | "frames">): number {
+/** Largest speed of a body that is not fixed, from a frame to before another [m/s]. */
+export function topSpeed(bodies: readonly Body[], velocity: Track, first: number, end = first + 1): number {
   const v = new Float64Array(3);
   let square = 0;
-  for (const body of recording.bodies) {
-    for (let frame = 0; !body.fixed && frame < recording.frames; frame++) {
-      recording.velocity.read(frame, body.index, v, 0);
+  for (const body of bodies) {
+    for (let frame = first; !body.fixed && frame < end; frame++) {
+      velocity.read(frame, body.index, v, 0);
       const own = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
       if (own > square) square = own;
     }
@@ -180,14 +180,17 @@ async function bodiesOf(head: StillHead, sections: Sections): Promise<Body[]> {
 
 async function meshesOf(head: StillHead, sections: Sections): Promise<MeshData[]> {
   const meshes: MeshData[] = [];
-  for (const { vertices, normals, triangles } of head.meshes) {
-    meshes.push({
-      vertices: await sections.floats(vertices),
-      normals: await sections.floats(normals),
-      triangles: await sections.wholes(triangles),
-    });
-  }
+  for (const mesh of head.meshes) meshes.push(await meshOf(mesh, sections));
   return meshes;
+}
+
+async function meshOf(head: MeshHead, sections: Sections): Promise<MeshData> {
+  return {
+    vertices: await sections.floats(head.vertices),
+    normals: await sections.floats(head.normals),
+    triangles: await sections.wholes(head.triangles),
+    coarse: head.coarse && (await meshOf(head.coarse, sections)),
+  };
 }
 
 async function placedOf(head: StillHead, sections: Sections): Promise<Placed[]> {

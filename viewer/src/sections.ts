@@ -11,9 +11,12 @@ export interface Sections {
   wholes(section: SectionNumber): Promise<Uint32Array>;
 }
 
-/** Sections that stand in the document as `<script id="section-N">`; each is taken out once it was read. */
+/** Sections that stand in a document as `<script id="section-N">`; each is taken out once it was read. */
 export class DocumentSections implements Sections {
-  constructor(private readonly heads: readonly SectionHead[]) {}
+  constructor(
+    private readonly heads: readonly SectionHead[],
+    private readonly document: Document = window.document,
+  ) {}
 
   async codes(section: SectionNumber): Promise<Codes> {
     const head = this.heads[section];
@@ -46,7 +49,7 @@ export class DocumentSections implements Sections {
   }
 
   private async bytes(section: SectionNumber): Promise<Uint8Array> {
-    const element = document.getElementById(`section-${section}`);
+    const element = this.document.getElementById(`section-${section}`);
     if (!element) throw new Error("a section of the page is missing");
     const packed = fromBase64(element.textContent ?? "");
     element.remove();

@@ -1,7 +1,7 @@
 // Messages of a run that is watched, as physsim/view/live_wire.py writes them.
 
 export interface Message {
-  readonly kind: "frame" | "end" | "alive";
+  readonly kind: "frame" | "end" | "whole" | "alive";
   readonly facts: Readonly<Record<string, unknown>>;
   readonly arrays: readonly NamedArray[];
 }

@@ -1,12 +1,13 @@
 // A run that is watched while it computes, as a recording that grows.
 
-import { stillOf, topSpeed, type Still } from "../decode";
+import { stillOf, type Still } from "../decode";
 import type { AboutHead, SectionHead, StillHead } from "../head";
 import { Quantities } from "../quantities";
 import type { About, Body, Contacts, Field, Link, MeshData, Placed, QuantityGroup, Recording, Series, Track } from "../recording";
 import type { Sections } from "../sections";
 import { Frames, type TrackKind } from "./frames";
 import { messagesOf, type Message } from "./messages";
+import { LastingTrack, wholeRecording, type Store } from "./store";
 
 /** The head of a page that is fed by a run. */
 export interface LiveHead extends StillHead {
@@ -58,12 +59,13 @@ export class LiveRecording implements Recording {
   readonly duration: number;
   about: About;
   status: LiveStatus = "running";
-  topSpeed = 0;
-  private readonly stored: Frames;
+  private readonly grown: Frames;
   private readonly address: string;
   private readonly calls = new Set<() => void>();
-  private tracks = new Map<string, Track>();
-  private quantities: Quantities;
+  private readonly tracks = new Map<string, LastingTrack>();
+  private store: Store;
+  private quantities: Pick<Recording, "groups" | "members" | "fields" | "series">;
+  private whole: Recording | null = null;
   private newest = -1;
   private telling = false;
 
@@ -74,16 +76,16 @@ export class LiveRecording implements Recording {
     this.units = head.units;
     this.duration = head.live.duration;
     this.address = head.live.frames;
-    this.stored = new Frames(head.live.tracks);
+    this.store = this.grown = new Frames(head.live.tracks, still.bodies);
     this.quantities = new Quantities(this);
   }
 
   get frames(): number {
-    return this.stored.count;
+    return this.store.frames;
   }
 
   get times(): Float64Array {
-    return this.stored.times;
+    return this.store.times;
   }
 
   get growing(): boolean {
@@ -91,7 +93,11 @@ export class LiveRecording implements Recording {
   }
 
   get strongestContact(): number {
-    return this.stored.strongestContact;
+    return this.store.strongestContact;
+  }
+
+  get topSpeed(): number {
+    return this.store.topSpeed;
   }
 
   get position(): Track {
@@ -120,7 +126,7 @@ export class LiveRecording implements Recording {
   }
 
   contacts(frame: number): Contacts | null {
-    return this.stored.contacts(frame);
+    return this.store.contacts(frame);
   }
 
   get groups(): readonly QuantityGroup[] {
@@ -151,44 +157,40 @@ export class LiveRecording implements Recording {
       }
       if (this.newest > before) attempt = 0;
     }
-    if (this.growing) this.end("lost", LOST);
+    if (this.growing) this.end("lost", LOST, 0);
   }
 
   private async follow(): Promise<void> {
     const answer = await fetch(`${this.address}?after=${this.newest}`, { cache: "no-store" });
     if (!answer.ok || !answer.body) return;
-    for await (const message of messagesOf(answer.body)) this.take(message);
+    for await (const message of messagesOf(answer.body)) await this.take(message);
   }
 
-  private take(message: Message): void {
-    if (message.kind === "frame") this.takeFrame(message);
-    if (message.kind === "end") this.end(message.facts.status as About["status"], message.facts.detail as string);
+  private async take({ kind, facts, arrays }: Message): Promise<void> {
+    if (kind === "frame") this.takeFrame({ kind, facts, arrays });
+    if (kind === "end") this.end(facts.status as About["status"], facts.detail as string, facts.frames as number);
+    if (kind === "whole") {
+      this.whole = await wholeRecording(arrays[0].values as Uint8Array);
+      this.tell();
+    }
   }
 
   private takeFrame(message: Message): void {
     this.newest = message.facts.frame as number;
-    const first = !this.frames;
-    this.stored.add(message);
-    if (first) this.begin();
-    this.topSpeed = Math.max(this.topSpeed, topSpeed(this.only(this.frames - 1)));
+    this.grown.add(message);
+    if (!this.tracks.size) this.begin();
     this.tell();
   }
 
+  /** The first frame tells what there is. */
   private begin(): void {
-    this.tracks = this.stored.tracks();
+    for (const name of this.grown.names) this.tracks.set(name, new LastingTrack(this.grown.track(name)!));
     this.quantities = new Quantities(this);
   }
 
-  /** One frame as a recording of its own. */
-  private only(frame: number): Pick<Recording, "bodies" | "velocity" | "frames"> {
-    const { velocity } = this;
-    return { bodies: this.bodies, frames: 1, velocity: { ...velocity, read: (_, row, out, at) => velocity.read(frame, row, out, at) } };
-  }
-
-  private end(status: LiveStatus, detail: string): void {
+  private end(status: LiveStatus, detail: string, framesInFile: number): void {
     this.status = status;
-    const inFile = this.newest + 1;
-    this.about = { ...this.about, detail, framesInFile: inFile, status: status === "lost" ? "running" : status };
+    this.about = { ...this.about, detail, framesInFile, status: status === "lost" ? "running" : status };
     this.tell();
   }
 
@@ -199,9 +201,17 @@ export class LiveRecording implements Recording {
     this.telling = true;
     setTimeout(() => {
       this.telling = false;
-      if (this.stored.thinOut()) this.quantities = new Quantities(this);
+      if (this.whole) this.takeWhole(this.whole);
+      else if (this.grown.thinOut()) this.quantities = new Quantities(this);
       for (const call of [...this.calls]) call();
     }, REST);
+  }
+
+  /** From now on everything is read from the recording of the whole file. */
+  private takeWhole(whole: Recording): void {
+    this.store = this.quantities = whole;
+    this.about = whole.about;
+    for (const [name, track] of this.tracks) track.source = whole.track(name) ?? track.source;
   }
 
   private needed(path: string): Track {
