@@ -7,6 +7,9 @@ import { between, turned } from "./rotation";
 /** A body that moves so close to (v0 + v1) / 2 between two frames moves smoothly; one that was hit does not. */
 const SMOOTH = 0.1;
 
+/** A time that is off by this share of the way between two frames means the frame: 0.7 where it is 0.7000000000000001. */
+const NEAR = 1e-9;
+
 /** Fills in moments of a recording. */
 export class MomentFinder {
   readonly moment: Moment;
@@ -32,11 +35,13 @@ export class MomentFinder {
     const { recording, moment } = this;
     moment.time = time;
     if (!recording.frames) return;
-    const frame = frameBefore(recording.times, recording.frames, time);
-    const next = Math.min(frame + 1, recording.frames - 1);
-    const span = recording.times[next] - recording.times[frame];
+    const before = frameBefore(recording.times, recording.frames, time);
+    const next = Math.min(before + 1, recording.frames - 1);
+    const span = recording.times[next] - recording.times[before];
+    const fraction = span > 0 ? Math.min(1, Math.max(0, (time - recording.times[before]) / span)) : 0;
+    const frame = fraction > 1 - NEAR ? next : before;
     moment.frame = frame;
-    moment.fraction = span > 0 ? Math.min(1, Math.max(0, (time - recording.times[frame]) / span)) : 0;
+    moment.fraction = fraction < NEAR || fraction > 1 - NEAR ? 0 : fraction;
     for (let body = 0; body < recording.bodies.length; body++) {
       if (moment.fraction === 0) this.copy(body, frame);
       else this.blend(body, frame, span);
