@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from physsim.view.setting import Setting
 from physsim.view.stage import FloatArray
 
 FOCUS = 3.2
@@ -14,8 +15,12 @@ FILLED = 0.84
 """What is to be seen fills this part of the picture."""
 FLAT = 0.12
 """A scene thinner than this part of its size is looked at from its broad side."""
-FROM_FRONT, FROM_ABOVE, OVERVIEW = (-72.0, 10.0), (-78.0, 48.0), (-58.0, 22.0)
-"""Azimuth and elevation [degrees] for scenes in an upright plane, for flat ones, and for all others."""
+FROM_FRONT, FROM_SIDE, FROM_ABOVE, OVERVIEW = (-72.0, 10.0), (18.0, 10.0), (-78.0, 48.0), (-58.0, 22.0)
+"""Azimuth and elevation [degrees]: for scenes in an upright plane (xz, yz), for flat ones, for all others."""
+AROUND = ((0.0, 0.0), (-64.0, 0.0), (90.0, 0.0), (0.0, 24.0), (180.0, 0.0), (-64.0, 24.0))
+"""What is tried in turn when something hides what moves, added to the usual azimuth and elevation."""
+SEEN_WELL = 0.05
+"""A direction is good enough when no more than this part of what moves is hidden."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +49,7 @@ class Camera:
 
 @dataclass(frozen=True)
 class View:
-    """What a user may say of the camera; None: found from the scene.
+    """What a user may say of the camera; None: found from the scene. Azimuth and elevation go together.
 
     azimuth and elevation [degrees] of the camera seen from what it looks at: azimuth 0 is the x axis, 90 the
     y axis; distance [m]; target (3) [m]: what it looks at.
@@ -56,11 +61,10 @@ class View:
     target: tuple[float, float, float] | None = None
 
 
-def placed(view: View, points: FloatArray, size: tuple[int, int]) -> Camera:
-    """A camera as the view says that sees all points (n, 3) [m] where the view leaves that open."""
-    azimuth, elevation = _direction(view, points)
-    axes = looking(azimuth, elevation)
-    eye, target = fitting(points, axes, size)
+def placed(view: View, setting: Setting, size: tuple[int, int]) -> Camera:
+    """A camera as the view says that sees all points of the setting where the view leaves that open."""
+    axes = looking(*_direction(view, setting))
+    eye, target = fitting(setting.points, axes, size)
     if view.target is not None or view.distance is not None:
         distance = float((target - eye) @ axes[2]) if view.distance is None else view.distance
         target = target if view.target is None else np.asarray(view.target, np.float64)
@@ -95,17 +99,23 @@ def fitting(points: FloatArray, axes: FloatArray, size: tuple[int, int]) -> tupl
     return np.array([*across, back]) @ axes, middle @ axes
 
 
-def _direction(view: View, points: FloatArray) -> tuple[float, float]:
-    """As the view says; else upright planes from the front, flat scenes from above."""
+def _direction(view: View, setting: Setting) -> tuple[float, float]:
+    """As the view says; else the first of the usual ones from which what moves is seen well."""
+    azimuth, elevation = _usual(setting.points)
+    if view.azimuth is not None and view.elevation is not None:
+        return view.azimuth, view.elevation
+    tried = [(azimuth + turn, elevation + lift) for turn, lift in AROUND]
+    hidden = [setting.outlook.hidden(-looking(*one)[2]) for one in tried]
+    good = [one for one, share in zip(tried, hidden, strict=True) if share <= SEEN_WELL]
+    return good[0] if good else tried[int(np.argmin(hidden))]
+
+
+def _usual(points: FloatArray) -> tuple[float, float]:
+    """Upright planes from the front, flat scenes from above."""
     extent = np.ptp(points, axis=0)
     thin = extent < FLAT * max(float(extent.max()), 1e-12)
     if thin[2]:
-        usual = FROM_ABOVE
-    elif thin[0] and not thin[1]:
-        usual = (FROM_FRONT[0] + 90.0, FROM_FRONT[1])
-    else:
-        usual = FROM_FRONT if thin[1] and not thin[0] else OVERVIEW
-    return (
-        usual[0] if view.azimuth is None else view.azimuth,
-        usual[1] if view.elevation is None else view.elevation,
-    )
+        return FROM_ABOVE
+    if thin[0] == thin[1]:
+        return OVERVIEW
+    return FROM_SIDE if thin[0] else FROM_FRONT

@@ -34,7 +34,7 @@ def draft(
     """
     painter = Painter(stage)
     setting = setting_of(stage, painter.boxes, positions[None], orientations[None])
-    camera = placed(View(), setting.points, size)
+    camera = placed(View(), setting, size)
     signs = Signs(stage, setting, painter.boxes, positions, orientations)
     nothing: frozenset[int] = frozenset()
     extras = [

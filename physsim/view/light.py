@@ -12,7 +12,7 @@ SUN = np.array([0.45, -0.38, 1.0])
 SUNLIGHT = np.array([1.10, 1.05, 0.97])
 SKYLIGHT = np.array([0.46, 0.50, 0.57])
 """What the whole sky sends to a surface that faces it, unless something stands in the way."""
-FILL = np.array([0.10, 0.10, 0.11])
+FILL = np.array([0.13, 0.13, 0.14])
 """Light without shadows from above and, as the floor sends it back, from below: no hole is quite black."""
 GLOSS = 0.10
 BACKGROUND = ("#d3e0ee", "#eaf0f6")

@@ -9,19 +9,26 @@ import numpy.typing as npt
 
 from physsim.recording.orientation import rotated, rotation_matrices
 from physsim.view.mesh import Mesh
+from physsim.view.outlook import Outlook, Screen
 from physsim.view.stage import WORLD, FloatArray, Stage
 from physsim.view.tessellate import Placed
 
 BACKDROP = 3.0
 """What never moves and is larger than this many times what does is a backdrop: the camera need not see
 it whole."""
+RARE, STRAY = 0.05, 0.5
+STILL = 1e-9
+"""Changes of a pose smaller than this [m, and of components of a quaternion] are rounding."""
 
 
 @dataclass(frozen=True)
 class Setting:
-    """points (n, 3) [m]: what the camera should see; size [m]: the diagonal of the box around it."""
+    """points (n, 3) [m]: what the camera should see; outlook: what may hide it; size [m]: the diagonal of the
+    box around the points.
+    """
 
     points: FloatArray
+    outlook: Outlook
 
     @property
     def low(self) -> FloatArray:
@@ -49,16 +56,32 @@ def setting_of(stage: Stage, boxes: FloatArray, positions: FloatArray, orientati
     moves = there & np.array([_moves(positions[:, k], orientations[:, k]) for k in range(len(boxes))], bool)
     if not moves.any():
         moves = there & ~np.array([actor.fixed for actor in stage.actors], bool)
-    points = corners(boxes[moves], positions[:, moves], orientations[:, moves])
-    points = np.concatenate([points, _anchors(stage, positions[0], orientations[0])])
-    around = corners(boxes[there & ~moves], positions[:1, there & ~moves], orientations[:1, there & ~moves])
+    way = corners(boxes[moves], positions[:, moves], orientations[:, moves])
+    still = there & ~moves
+    around = corners(boxes[still], positions[:1, still], orientations[:1, still])
+    points = np.concatenate([without_strays(way), _anchors(stage, positions[0], orientations[0])])
     if len(points) == 0:
         points = around if len(around) else _cube()
     extent = max(float(np.ptp(points, axis=0).max()), 1e-12)
-    for still in around.reshape(-1, 8, 3):
-        if np.ptp(still, axis=0).max() <= BACKDROP * extent:
-            points = np.concatenate([points, still])
-    return Setting(points)
+    near = [one for one in around.reshape(-1, 8, 3) if np.ptp(one, axis=0).max() <= BACKDROP * extent]
+    screens = tuple(
+        Screen(positions[0, k], rotation_matrices(orientations[0, k : k + 1])[0], *boxes[k])
+        for k in np.flatnonzero(still)
+    )
+    middles = way.reshape(-1, 8, 3).mean(axis=1)
+    return Setting(np.concatenate([points, *near]), Outlook(middles, screens))
+
+
+def without_strays(points: FloatArray) -> FloatArray:
+    """The points (n, 3) without those few that are far from all others, as of one ball that rolls away: the
+    ones more than STRAY times the extent of the middle 1 - 2 RARE outside of it.
+    """
+    if len(points) == 0:
+        return points
+    low, high = np.quantile(points, [RARE, 1 - RARE], axis=0)
+    margin = STRAY * float((high - low).max())
+    kept: FloatArray = points[((points >= low - margin) & (points <= high + margin)).all(axis=1)]
+    return kept
 
 
 def _cube() -> FloatArray:
@@ -67,7 +90,7 @@ def _cube() -> FloatArray:
 
 
 def _moves(positions: FloatArray, orientations: FloatArray) -> bool:
-    return bool((positions != positions[0]).any() or (orientations != orientations[0]).any())
+    return bool(max(np.ptp(positions, axis=0).max(), np.ptp(orientations, axis=0).max()) > STILL)
 
 
 def _anchors(stage: Stage, positions: FloatArray, orientations: FloatArray) -> FloatArray:

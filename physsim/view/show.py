@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -60,7 +60,7 @@ class Show:
         )
         self._start = positions[0]
         self.setting = self._setting(positions, orientations)
-        self.camera = placed(look.view, self.setting.points, look.size)
+        self.camera = placed(look.view, self.setting, look.size)
         self._signs = Signs(self.stage, self.setting, self._painter.boxes, positions[0], orientations[0])
         self._largest = self._largest_force(span) if "contacts" in look.signs else 0.0
         self._way = self._ways(span) if "trails" in look.signs else None
@@ -91,13 +91,13 @@ class Show:
             FOLLOWED / 2 * float(np.linalg.norm(box[1] - box[0])) if np.isfinite(box).all() else found.size
         )
         around = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-0.6, 0.6)])
-        return Setting(self._start[self._followed] + reach / 2 * around)
+        return replace(found, points=self._start[self._followed] + reach / 2 * around)
 
     def _moved(self, positions: FloatArray) -> tuple[Camera, Setting]:
         if self._followed is None:
             return self.camera, self.setting
         by = positions[self._followed] - self._start[self._followed]
-        return self.camera.moved(by), Setting(self.setting.points + by)
+        return self.camera.moved(by), replace(self.setting, points=self.setting.points + by)
 
     def _extras(self, time: float, positions: FloatArray, orientations: FloatArray) -> Iterator[Extra]:
         signs, broken = self.look.signs, self._broken(time)
