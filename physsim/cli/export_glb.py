@@ -19,8 +19,8 @@ TOLERANCE = click.Option(
     ["--tolerance"],
     type=click.FloatRange(min=0),
     metavar="M",
-    help="How far any point of a body may be off at any frame [m]; 0 keeps every frame. Default: 1/1000 of "
-    "the radius of the smallest body that moves.",
+    help="How far any point of a body may be off at any frame [m]; 0 leaves out only what is superfluous to "
+    "the last bit. Default: 1/1000 of the radius of the smallest body that moves.",
 )
 CAMERA = click.Option(["--camera"], is_flag=True, help="Add a camera that sees everything, and a sun.")
 
@@ -61,7 +61,7 @@ def summary(written: Written) -> str:
 
 def tell_rounding(written: Written) -> None:
     """Far from the origin the 32-bit numbers of glTF are what limits."""
-    if written.samples and written.rounding > max(written.tolerance, 1e-9):
+    if written.samples and written.rounding > written.visible:
         output.message(
             f"so far from the origin the 32-bit numbers of glTF round positions by {length(written.rounding)}"
         )

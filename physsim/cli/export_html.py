@@ -1,7 +1,5 @@
 """`physsim export --to html`: the page of `physsim view`."""
 
-
-
 from __future__ import annotations
 
 from physsim.cli.export_format import Format, Order

@@ -29,9 +29,10 @@ def radii(stage: Stage, meshes: Sequence[Mesh], placed: Sequence[Placed]) -> Flo
     return found
 
 
-def bounds(clip: Clip, around: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The corners (3) and (3) [m] of the box that holds the bodies of radius `around` (N) [m] on their way;
-    those without size do not count. The unit cube about the origin when there are none.
+def bounds(clip: Clip, around: FloatArray, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """The corners (3) and (3) [m] of the box that holds the bodies of radius `around` (N) [m] on their way,
+    and `points` (K, 3) [m]. Bodies without size do not count; when there are no others, it is a cube about
+    the origin.
     """
     bodies = np.flatnonzero(around > 0)
     if bodies.size == 0:
@@ -39,6 +40,6 @@ def bounds(clip: Clip, around: FloatArray) -> tuple[FloatArray, FloatArray]:
     chosen = np.unique(np.linspace(0, len(clip.times) - 1, min(LOOKED_AT, len(clip.times))).astype(int))
     poses = list(Clip(clip.trajectory, clip.times[chosen]).blocks())
     reach = around[bodies, None]
-    low = np.min([(positions[:, bodies] - reach).min(axis=(0, 1)) for _, positions, _ in poses], axis=0)
-    high = np.max([(positions[:, bodies] + reach).max(axis=(0, 1)) for _, positions, _ in poses], axis=0)
-    return low, high
+    lows = [(positions[:, bodies] - reach).min(axis=(0, 1)) for _, positions, _ in poses]
+    highs = [(positions[:, bodies] + reach).max(axis=(0, 1)) for _, positions, _ in poses]
+    return np.min([*lows, *points], axis=0), np.max([*highs, *points], axis=0)

@@ -21,7 +21,15 @@ from physsim.view.clip import Clip, clip_of
 from physsim.view.extent import bounds, radii
 from physsim.view.glb_file import Binary, write_glb
 from physsim.view.gltf_camera import with_camera
-from physsim.view.gltf_links import LOOKS, LinkMover, break_times, drawn_links, link_meshes, link_nodes
+from physsim.view.gltf_links import (
+    LOOKS,
+    LinkMover,
+    break_times,
+    drawn_links,
+    held_at,
+    link_meshes,
+    link_nodes,
+)
 from physsim.view.gltf_motion import BodyMover, Mover, animate
 from physsim.view.gltf_stage import Figures, body_nodes, shapes
 from physsim.view.stage import FloatArray, Stage, stage_of
@@ -52,7 +60,8 @@ class Wishes:
 @dataclass(frozen=True)
 class Written:
     """What became of a trajectory. kept of samples: how many key frames the poses of moving bodies became;
-    tolerance, rounding [m]: how far a point may be off by that, and by numbers of 32 bits.
+    tolerance, rounding [m]: how far a point may be off by that, and by numbers of 32 bits; visible [m]: the
+    tolerance that nobody would see.
     """
 
     size: int
@@ -62,6 +71,7 @@ class Written:
     kept: int
     tolerance: float
     rounding: float
+    visible: float
 
 
 def write_gltf(trajectory: Trajectory, path: Path, wishes: Wishes) -> Written:
@@ -80,13 +90,14 @@ def write_gltf(trajectory: Trajectory, path: Path, wishes: Wishes) -> Written:
 def _write(path: Path, stage: Stage, clip: Clip, wishes: Wishes, binary: Binary) -> Written:
     meshes, placed = tessellated(stage, FINENESS if len(stage.solids) <= MANY else FINENESS_OF_MANY, 1.0)
     around = radii(stage, meshes, placed)
-    low, high = bounds(clip, around)
+    links = drawn_links(stage)
+    low, high = bounds(clip, around, held_at(links))
     first = clip.first()
     placed = on_ground(stage, placed, first[0], low, high)
     movers = np.flatnonzero([not actor.fixed for actor in stage.actors])
-    tolerance = default_tolerance(around[movers]) if wishes.tolerance is None else wishes.tolerance
+    visible = default_tolerance(around[movers])
+    tolerance = visible if wishes.tolerance is None else wishes.tolerance
 
-    links = drawn_links(stage)
     looks = {kind: LOOKS[kind] for kind in LOOKS if any(link.kind == kind for link in links)}
     figures = Figures(shapes([*meshes, *(look.mesh() for look in looks.values())], binary))
     nodes = body_nodes(stage, placed, figures, *first)
@@ -101,8 +112,16 @@ def _write(path: Path, stage: Stage, clip: Clip, wishes: Wishes, binary: Binary)
 
     document = with_root(stage, clip, nodes, tolerance) | figures.document() | motion.document()
     size = write_glb(path, with_camera(document, low, high) if wishes.camera else document, binary)
-    rounding = ROUNDING * float(np.abs([low, high]).max())
-    return Written(size, len(stage.actors), len(clip.times), motion.samples, motion.kept, tolerance, rounding)
+    return Written(
+        size=size,
+        bodies=len(stage.actors),
+        instants=len(clip.times),
+        samples=motion.samples,
+        kept=motion.kept,
+        tolerance=tolerance,
+        rounding=ROUNDING * float(np.abs([low, high]).max()),
+        visible=visible,
+    )
 
 
 def default_tolerance(around: FloatArray) -> float:

@@ -5,11 +5,13 @@ Both look along -z of their nodes in glTF, which is y in the axes of a scene.
 
 from __future__ import annotations
 
-from math import asin, atan2, cos, sin
+from itertools import product
+from math import asin, atan2, cos, sin, tan
 from typing import Any
 
 import numpy as np
 
+from physsim.recording.orientation import rotated
 from physsim.view.gltf_stage import pose
 from physsim.view.stage import FloatArray
 
@@ -17,8 +19,11 @@ VIEW = np.array([0.5, -0.8, 0.4])
 """From the middle of the scene to the camera: from the front, a little from the right and above."""
 SUNLIGHT = np.array([0.3, -0.5, 1.0])
 FIELD_OF_VIEW = 0.7  # rad, from top to bottom
+ASPECT = 4 / 3
+"""Narrowest picture, width over height, that everything fits into."""
+MARGIN = 1.1
 LUX = 3.0
-"""What glTF players without a camera's exposure show as daylight; 100 000 lx would be white to them."""
+"""Daylight for players that show a light of 1 as white; the 100 000 lx of the real one would dazzle them."""
 
 
 def with_camera(document: dict[str, Any], low: FloatArray, high: FloatArray) -> dict[str, Any]:
@@ -26,12 +31,12 @@ def with_camera(document: dict[str, Any], low: FloatArray, high: FloatArray) -> 
 
     Light: extension KHR_lights_punctual.
     """
-    middle, radius = (low + high) / 2, float(np.linalg.norm(high - low)) / 2
-    away = radius / sin(FIELD_OF_VIEW / 2)
-    eye = middle + VIEW / np.linalg.norm(VIEW) * away
+    facing = looking_from(VIEW)
+    away = distance(low, high, facing)
+    eye = (low + high) / 2 + VIEW / np.linalg.norm(VIEW) * away
     root = document["nodes"][-1]
     first = len(document["nodes"])
-    camera = pose(eye, looking_from(VIEW)) | {"name": "camera", "camera": 0}
+    camera = pose(eye, facing) | {"name": "camera", "camera": 0}
     sun = pose(np.zeros(3), looking_from(SUNLIGHT)) | {
         "name": "sun",
         "extensions": {"KHR_lights_punctual": {"light": 0}},
@@ -49,6 +54,18 @@ def with_camera(document: dict[str, Any], low: FloatArray, high: FloatArray) -> 
             sun,
         ],
     }
+
+
+def distance(low: FloatArray, high: FloatArray, facing: FloatArray) -> float:
+    """From how far away [m] all corners of the box are in the picture, for a camera turned by `facing`.
+
+    A corner that is x to the side, y behind and z above the middle is d + y away, and wants half a picture of
+    tan(angle / 2) (d + y) above the middle and `ASPECT` times as much beside it.
+    """
+    corners = np.array(list(product(*np.stack([low, high], axis=1)))) - (low + high) / 2
+    x, y, z = rotated(np.broadcast_to(facing * [1, -1, -1, -1], (8, 4)), corners).T
+    half = tan(FIELD_OF_VIEW / 2)
+    return MARGIN * float(np.max([np.abs(z) / half - y, np.abs(x) / (ASPECT * half) - y]))
 
 
 def looking_from(away: FloatArray) -> FloatArray:

@@ -31,6 +31,12 @@ def drawn_links(stage: Stage) -> list[Link]:
     return [link for link in (*stage.springs, *stage.joints) if link.kind in LOOKS]
 
 
+def held_at(links: Sequence[Link]) -> FloatArray:
+    """Where links end in the world, (K, 3) [m]."""
+    ends = [link.anchors[end] for link in links for end in (0, 1) if link.bodies[end] == WORLD]
+    return np.reshape(ends, (-1, 3))
+
+
 def break_times(trajectory: Trajectory, links: Sequence[Link]) -> FloatArray:
     """When each of the links (L) breaks [s]; infinite for those that hold."""
     found = np.full(len(links), np.inf)
