@@ -57,8 +57,8 @@ def show(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Show]:
     def make(name: str) -> Show:
         made = Show(folder / f"{name}.h5", folder / f"{name}.html")
         if not made.page.exists():
-            assert answer(["run", str(folder / f"{name}.yaml"), "--quiet"]) == 0
-            assert answer(["view", str(made.recording), "-o", str(made.page), "--quiet"]) == 0
+            assert answer(["run", str(folder / f"{name}.yaml"), "-o", str(made.recording), "--quiet"]) == 0
+            assert answer(["view", str(made.recording), "-o", str(made.page)]) == 0
         return made
 
     return make

@@ -11,10 +11,10 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Browser, BrowserContext
+    from playwright.sync_api import Browser, BrowserContext, Page
 
 PROGRAMS = (
     "chromium",
@@ -90,3 +90,20 @@ class Witness:
 
 NOISE = ("[.WebGL-", "[GroupMarkerNotSet")
 """Remarks of the software renderer about its own speed (GPU stall due to ReadPixels)."""
+
+
+def state(page: Page) -> dict[str, Any]:
+    """`window.physsim.state()`."""
+    found: dict[str, Any] = page.evaluate("window.physsim.state()")
+    return found
+
+
+def press(page: Page, name: str) -> None:
+    """Clicks the button of this name."""
+    page.get_by_role("button", name=name, exact=True).click()
+
+
+def until(page: Page, true: str) -> None:
+    """Waits until an expression is true. Playwright's own way needs `eval`, which the page forbids."""
+    look = f"const look = () => ({true}) ? done() : setTimeout(look, 20)"
+    page.evaluate(f"new Promise(done => {{ {look}; look(); }})")
