@@ -1,8 +1,10 @@
 // What the page holds and what it does not: the file, how the run ended, the precision of the numbers.
 
 import type { About, Recording } from "../recording";
+import type { World } from "../world";
 import { element, setText } from "./dom";
-import { count, quantity } from "./format";
+import { count, exact } from "./format";
+import { paced } from "./pace";
 
 const STATUS: Record<About["status"], { mark: string; text: string }> = {
   complete: { mark: "✓", text: "complete" },
@@ -11,7 +13,7 @@ const STATUS: Record<About["status"], { mark: string; text: string }> = {
   interrupted: { mark: "‖", text: "interrupted" },
 };
 
-/** Says how the run ended, with a sign and a word; nothing when it is complete. */
+/** Says how the run ended, with a sign and a word; nothing when it is complete, or still watched. */
 export class Badge {
   readonly element = element("span", { class: "badge", role: "status" });
 
@@ -22,7 +24,7 @@ export class Badge {
   update(): void {
     const { status, detail } = this.recording.about;
     const { mark, text } = STATUS[status];
-    this.element.hidden = status === "complete";
+    this.element.hidden = status === "complete" || this.recording.growing;
     this.element.dataset.status = status;
     this.element.title = detail;
     setText(this.element, `${mark} ${text}`);
@@ -32,19 +34,33 @@ export class Badge {
 export class AboutPanel {
   readonly element = element("div", { class: "about" });
 
-  constructor(private readonly recording: Recording) {
+  private readonly drawing = element("dd", {});
+
+  constructor(
+    private readonly recording: Recording,
+    private readonly world: World,
+  ) {
     this.update();
+    const say = paced(() => setText(this.drawing, this.howDrawn()), 500);
+    world.onFrame(() => this.element.isConnected && say());
   }
 
+  /** Takes what is said of the file anew. */
   update(): void {
     const { about } = this.recording;
     this.element.replaceChildren(
-      element("dl", {}, ...this.facts().flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)])),
+      element("dl", {}, ...this.facts().flatMap(([name, value]) => [element("dt", {}, name), element("dd", {}, value)]),
+        element("dt", {}, "Drawn"), this.drawing),
       element("h3", {}, "Precision and what was left out"),
       element("ul", { class: "notes" }, ...about.notes.map((note) => element("li", {}, note))),
       element("p", { class: "note" }, "Between two frames positions and turns are interpolated. Everything is in SI units; ",
         "the page loads nothing from the network."),
     );
+  }
+
+  private howDrawn(): string {
+    const fps = this.world.fps();
+    return this.world.quality() + (fps > 0 ? `, ${Math.round(fps)} pictures/s` : "");
   }
 
   private facts(): [string, string][] {
@@ -57,7 +73,7 @@ export class AboutPanel {
       ["physsim", about.physsimVersion],
       ["Frames", about.framesInFile === frames ? count(frames, "frame") : `${count(frames, "frame")} of ${about.framesInFile} in the file`],
     ];
-    if (frames) facts.push(["Time", `${quantity(times[0], "s", 6)} to ${quantity(times[frames - 1], "s", 6)}`]);
+    if (frames) facts.push(["Time", `${exact(times[0])} to ${exact(times[frames - 1])}\u202fs`]);
     const who = [count(bodies.length, "body", "bodies"), count(joints.length, "joint"), count(springs.length, "spring")];
     facts.push(["Scene", who.filter((one) => !one.startsWith("0 ")).join(", ")]);
     return facts;

@@ -37,7 +37,7 @@ export function mountUi(app: App): Ui {
 
   const bar = new Bar(player);
   const badge = new Badge(recording);
-  const about = new AboutPanel(recording);
+  const about = new AboutPanel(recording, world);
   const plots = new Plots(recording, player);
   const bodies: Bodies = new Bodies(recording, player, selection, (name) => {
     panels.show("Plots");
@@ -89,7 +89,7 @@ function draw({ recording, world, root }: App, store: Store, selection: Selectio
   new BodyFrames(recording, world, store);
   new CenterDrawing(recording, world, store);
   new Labels(root, recording, world, store);
-  return new ContactDrawing(recording, world, store);
+  return new ContactDrawing(recording, world, store, selection);
 }
 
 function header({ recording, world }: App, panels: Panels, badge: Badge, openHelp: () => void): HTMLElement {

@@ -22,6 +22,7 @@ export class Legend {
   private readonly length = element("span", {});
   private readonly colours = element("div", { class: "colours" });
   private readonly forces = element("div", { class: "forces" });
+  private readonly omitted = element("div", { class: "row" });
   private readonly eye = new Vector3();
   private readonly measure = paced(() => this.printScale(), 150);
 
@@ -37,6 +38,10 @@ export class Legend {
     store.watch(["colouring"], () => this.printColours());
     store.watch(["contacts", "arrowSize"], () => this.printForces());
     world.onFrame(() => this.measure());
+    recording.onGrowth(paced(() => {
+      this.printColours();
+      this.printForces();
+    }, 1000));
   }
 
   /** A round length at the point that the camera turns about, as long as it looks there. */
@@ -48,11 +53,13 @@ export class Legend {
     const length = roundBelow(LONGEST_BAR / pixels);
     this.bar.style.width = `${(length * pixels).toFixed(1)}px`;
     setText(this.length, inMetres(length));
+    this.omitted.hidden = this.contacts.omitted === 0;
+    setText(this.omitted, `${this.contacts.omitted} weaker ones are not in this page`);
   }
 
   private printColours(): void {
     const { colouring } = this.store.now;
-    const made = { material: () => this.materials(), speed: () => this.speeds(), body: () => [] }[colouring]();
+    const made = { material: () => this.materials(), speed: () => this.speeds(), body: () => [element("div", {}, "colours and patterns: one body each, in turn")] }[colouring]();
     this.colours.replaceChildren(...made);
   }
 
@@ -91,6 +98,7 @@ export class Legend {
       element("div", { class: "row" }, element("span", { class: "sign slides" }), "contact that slides"),
       element("div", { class: "row" }, element("span", { class: "sign arrow" }), `${inMetres(length)} of arrow: ${exact(force)}\u202fN`),
       element("div", { class: "row" }, element("span", { class: "sign arrow cut" }), `thick: stronger, cut at ${inMetres(longest)}`),
+      this.omitted,
     );
   }
 }

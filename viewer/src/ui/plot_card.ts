@@ -65,8 +65,9 @@ export class PlotCard {
 
   /** The numbers beside the lines; costs layout. */
   printValues(time: number): void {
-    if (!this.recording.frames) return;
-    const frame = nearestFrame(this.recording.times, this.recording.frames, time);
+    const frames = Math.min(this.recording.frames, this.lines[0]?.values.length ?? 0);
+    if (!frames) return;
+    const frame = nearestFrame(this.recording.times, frames, time);
     this.lines.forEach((line, i) => setText(this.values[i], quantity(line.values[frame], line.unit, 5, line.error)));
   }
 

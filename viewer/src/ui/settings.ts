@@ -1,11 +1,13 @@
 // What the person at the page has chosen to see. Kept in memory only.
 
 export type Colouring = "material" | "speed" | "body";
+export type ContactsOf = "all" | "selected";
 export type Trails = "none" | "selected" | "all";
 export type ThemeChoice = "auto" | "light" | "dark";
 
 export interface Settings {
   contacts: boolean;
+  contactsOf: ContactsOf;
   joints: boolean;
   springs: boolean;
   trails: Trails;
@@ -30,6 +32,7 @@ export type Switch = { [K in Key]: Settings[K] extends boolean ? K : never }[Key
 
 export const AT_FIRST: Settings = {
   contacts: false,
+  contactsOf: "all",
   joints: true,
   springs: true,
   trails: "none",

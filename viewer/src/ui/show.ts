@@ -38,6 +38,7 @@ type Options<K extends keyof Settings> = readonly (readonly [Settings[K], string
 const COLOURINGS: Options<"colouring"> = [["material", "Material"], ["speed", "Speed"], ["body", "Body"]];
 const TRAILS: Options<"trails"> = [["none", "None"], ["selected", "Selected"], ["all", "All"]];
 const THEMES: Options<"theme"> = [["auto", "System"], ["light", "Light"], ["dark", "Dark"]];
+const CONTACTS_OF: Options<"contactsOf"> = [["all", "All bodies"], ["selected", "Selected body"]];
 const SIZES: Options<"arrowSize"> = [[0.25, "¼×"], [0.5, "½×"], [1, "1×"], [2, "2×"], [4, "4×"]];
 const LENGTHS: Options<"trailLength"> = [[0.1, "0.1\u202fs"], [1, "1\u202fs"], [10, "10\u202fs"], [Infinity, "Whole"]];
 
@@ -51,6 +52,7 @@ export function showPanel({ recording, world }: App, store: Store): HTMLElement 
     choice(store, "colouring", "Colours by (V)", COLOURINGS),
     choice(store, "trails", "Trails (T)", TRAILS),
     choice(store, "trailLength", "Length of trails", LENGTHS),
+    choice(store, "contactsOf", "Contacts of", CONTACTS_OF),
     choice(store, "arrowSize", "Size of force arrows", SIZES),
     choice(store, "theme", "Light or dark (D)", THEMES),
   );
