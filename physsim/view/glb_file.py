@@ -38,13 +38,17 @@ class Binary:
         self.file = file
         self.size = 0
         self.views: list[dict[str, Any]] = []
+        self._next: dict[str, Any] | None = None
         self.accessors: list[dict[str, Any]] = []
 
     def begin_view(self, target: int | None = None) -> None:
-        """The arrays added from now on serve `target`; None: no vertices and no indices, but key frames."""
+        """The arrays added from now on serve `target`; None: no vertices and no indices, but key frames.
+
+        A view of nothing is not made: glTF forbids it.
+        """
         purpose = {} if target is None else {"target": target}
         stride = {"byteStride": 12} if target == VERTICES else {}
-        self.views.append({"buffer": 0, "byteOffset": self.size, "byteLength": 0, **stride, **purpose})
+        self._next = {"buffer": 0, "byteOffset": self.size, "byteLength": 0, **stride, **purpose}
 
     def add(self, array: npt.NDArray[Any], *, bounds: bool = False) -> int:
         """The number of the accessor of an array (n), (n, 3) or (n, 4) of 32-bit floats or unsigned integers.
@@ -52,6 +56,9 @@ class Binary:
         bounds: whether the accessor tells smallest and largest, as vertices and times must. Raises
         FileTrouble when the chunk grows past what players take.
         """
+        if self._next is not None:
+            self.views.append(self._next)
+            self._next = None
         view = self.views[-1]
         data = array.tobytes()
         padding = -len(data) % 4
@@ -79,20 +86,26 @@ def write_glb(path: Path, document: dict[str, Any], binary: Binary) -> int:
 
     Raises FileTrouble when it would be larger than players take.
     """
-    whole = document | {
+    buffers = {
         "buffers": [{"byteLength": binary.size}],
         "bufferViews": binary.views,
         "accessors": binary.accessors,
     }
-    text = json.dumps(whole, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode()
+    text = json.dumps(
+        document | (buffers if binary.size else {}),
+        ensure_ascii=False,
+        allow_nan=False,
+        separators=(",", ":"),
+    ).encode()
     text += b" " * (-len(text) % 4)
-    size = 12 + 8 + len(text) + 8 + binary.size
+    size = 12 + 8 + len(text) + (8 + binary.size if binary.size else 0)
     if size > MOST_BYTES:
         raise FileTrouble(TOO_LARGE)
     with path.open("wb") as file:
         file.write(struct.pack("<4sII", b"glTF", 2, size))
         file.write(struct.pack("<I4s", len(text), b"JSON") + text)
-        file.write(struct.pack("<I4s", binary.size, b"BIN\0"))
-        binary.file.seek(0)
-        shutil.copyfileobj(binary.file, file, 1 << 20)
+        if binary.size:
+            file.write(struct.pack("<I4s", binary.size, b"BIN\0"))
+            binary.file.seek(0)
+            shutil.copyfileobj(binary.file, file, 1 << 20)
     return size
