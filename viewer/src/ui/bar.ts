@@ -100,6 +100,13 @@ export class Bar {
       if (wasPlaying) player.play();
       wasPlaying = false;
     });
-    speed.addEventListener("change", () => player.setSpeed(Number(speed.value)));
+    let byPointer = false;
+    speed.addEventListener("pointerdown", () => (byPointer = true));
+    speed.addEventListener("keydown", () => (byPointer = false));
+    speed.addEventListener("change", () => {
+      player.setSpeed(Number(speed.value));
+      // Else the next key would choose another speed.
+      if (byPointer) speed.blur();
+    });
   }
 }

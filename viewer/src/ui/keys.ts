@@ -18,20 +18,27 @@ export function listenToKeys(shortcuts: readonly Shortcut[]): void {
   document.addEventListener("keydown", (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    if (key === "Escape" && isTyping(event.target)) (event.target as HTMLElement).blur();
     if (isTaken(event.target, key)) return;
     const found = byKey.get(key);
     if (!found) return;
     event.preventDefault();
+    if (key === " " && event.target instanceof HTMLButtonElement) event.target.blur();
     found.act(key);
   });
 }
 
-/** Fields take all keys, the slider of time its own but those of the table, buttons Space and Enter. */
+function isTyping(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && NAMES_OF_TYPING.has(target.tagName);
+}
+
+/** Fields take all keys, the slider of time none; buttons take Space and Enter, unless it was a mouse that went there:
+ *  who clicked on a button and then presses Space wants to play. */
 function isTaken(target: EventTarget | null, key: string): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.closest("dialog[open]") && key !== "?" && key !== "h") return true;
   if (target instanceof HTMLInputElement && target.type === "range") return !target.classList.contains("time");
-  if (target instanceof HTMLInputElement && target.type === "checkbox") return key === " ";
-  if (NAMES_OF_TYPING.has(target.tagName)) return true;
-  return (target.tagName === "BUTTON" || target.tagName === "SUMMARY") && (key === " " || key === "Enter");
+  if (target instanceof HTMLInputElement && ["checkbox", "radio"].includes(target.type)) return key === " " || key.startsWith("Arrow");
+  if (isTyping(target)) return true;
+  return target.tagName === "BUTTON" && (key === " " || key === "Enter") && target.matches(":focus-visible");
 }

@@ -17,6 +17,9 @@ export class PlotCard {
   readonly element: HTMLElement;
   private readonly plot: Plot;
   private lines: Line[] = [];
+  /** Lines that somebody switched on or off; the others are shown when they are not zero. */
+  private readonly chosen = new Map<number, boolean>();
+  private inLegend = "";
   private readonly values: HTMLElement[] = [];
   private readonly note = element("p", { class: "note", hidden: true });
   private readonly legend = element("ul", { class: "legend" });
@@ -39,7 +42,6 @@ export class PlotCard {
       this.plot.element, this.legend, this.note,
     );
     this.read();
-    this.makeLegend();
   }
 
   /** Takes the values anew: more frames came. */
@@ -50,12 +52,15 @@ export class PlotCard {
     const names = shortNames(this.entry.names);
     this.lines = series.map((one, i) => ({
       name: names[i], unit: one.unit, values: one.values, error: one.error || 0, stroke: i,
-      shown: this.lines[i]?.shown ?? (sizes[i] > NOTHING * top || series.length === 1),
+      shown: this.chosen.get(i) ?? (sizes[i] > NOTHING * top || series.length === 1),
     }));
     const notes = [...new Set(series.map((one) => one.note).filter(Boolean))];
     this.note.hidden = !notes.length;
     setText(this.note, notes.join(" "));
     this.plot.setData(this.recording.times, this.recording.frames, this.lines);
+    const shown = this.lines.map((line) => line.shown).join();
+    if (shown !== this.inLegend) this.makeLegend();
+    this.inLegend = shown;
   }
 
   /** Moves the cursor. */
@@ -87,7 +92,8 @@ export class PlotCard {
       const box = element("input", { type: "checkbox" });
       box.checked = line.shown;
       box.addEventListener("change", () => {
-        line.shown = box.checked;
+        this.chosen.set(i, box.checked);
+        this.lines[i].shown = box.checked;
         this.plot.draw();
       });
       return element("li", {}, element("label", {},

@@ -63,7 +63,7 @@ export class JointDrawing {
       world.redraw();
     });
     world.onFrame((moment) => {
-      if (this.group.visible) this.update(moment);
+      if (this.group.visible && recording.frames > 0) this.update(moment);
     });
   }
 

@@ -99,7 +99,7 @@ export class SpringDrawing {
       this.group.visible = store.now.springs && count > 0;
       world.redraw();
     });
-    world.onFrame((moment) => this.group.visible && this.update(moment));
+    world.onFrame((moment) => this.group.visible && recording.frames > 0 && this.update(moment));
   }
 
   private build(): void {
