@@ -4,6 +4,9 @@ import { MomentFinder } from "./moment";
 import type { Moment, Player } from "./player";
 import type { Recording } from "./recording";
 
+/** Text and curves beside the view are drawn anew so often [s] where pictures take longer than they should. */
+const SLOW = 1 / 45;
+const BETWEEN_CALLS = 0.1;
 /** After a pause of the browser (another tab was in front) time goes on from where it stood. */
 const LONGEST_STEP = 0.25;
 
@@ -18,6 +21,7 @@ export class Clock implements Player {
   private atEnd = false;
   private readonly finder: MomentFinder;
   private readonly calls = new Set<() => void>();
+  private silent = 0;
 
   /** `wake`: asks for a picture. */
   constructor(
@@ -91,11 +95,15 @@ export class Clock implements Player {
     return () => this.calls.delete(call);
   }
 
-  /** Goes on by so many seconds of the wall, and tells who listens. Called before each picture. */
+  /** Goes on by so many seconds of the wall, and tells who listens: at every picture, but less often while a
+   *  slow machine plays, which then has the time for the view. */
   advance(elapsed: number): void {
-    if (this.playing) this.goOn(Math.min(elapsed, LONGEST_STEP) * this.speed);
-    if (!this.changed) return;
+    const wasPlaying = this.playing;
+    if (wasPlaying) this.goOn(Math.min(elapsed, LONGEST_STEP) * this.speed);
+    this.silent += elapsed;
+    if (!this.changed || (wasPlaying && this.playing && elapsed > SLOW && this.silent < BETWEEN_CALLS)) return;
     this.changed = false;
+    this.silent = 0;
     for (const call of this.calls) call();
   }
 

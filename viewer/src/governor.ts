@@ -6,17 +6,26 @@ export interface Quality {
   readonly pixels: number;
   /** Side of the shadow map, 0: no shadows. */
   readonly shadows: number;
+  /** Round shapes look round, and light falls on every pixel. */
+  readonly fine: boolean;
 }
 
 const LEVELS: readonly Quality[] = [
-  { pixels: 2, shadows: 2048 },
-  { pixels: 1.5, shadows: 2048 },
-  { pixels: 1, shadows: 2048 },
-  { pixels: 1, shadows: 1024 },
-  { pixels: 1, shadows: 0 },
-  { pixels: 0.75, shadows: 0 },
-  { pixels: 0.5, shadows: 0 },
+  { pixels: 2, shadows: 2048, fine: true },
+  { pixels: 1.5, shadows: 2048, fine: true },
+  { pixels: 1, shadows: 2048, fine: true },
+  { pixels: 1, shadows: 1024, fine: true },
+  { pixels: 1, shadows: 0, fine: true },
+  { pixels: 1, shadows: 0, fine: false },
+  { pixels: 0.75, shadows: 0, fine: false },
+  { pixels: 0.5, shadows: 0, fine: false },
 ];
+/** What it begins with where the processor draws, with few solids and with many. */
+const SOFTWARE_BEST = 3;
+const SOFTWARE_MANY = 5;
+const MANY_SOLIDS = 300;
+/** So much slower than wanted: two levels at once. */
+const FAR_TOO_SLOW = 2;
 /** Pictures that take longer [s] are too slow, on average over `PATIENCE` seconds; shorter ones leave time to spare. */
 const TOO_SLOW = 1 / 34;
 const TO_SPARE = 1 / 50;
@@ -30,20 +39,28 @@ const SETTLING = 3;
 export class Governor {
   private level: number;
   private readonly best: number;
+  private readonly first: number;
   private blocked = LEVELS.length;
   private time = 0;
   private pictures = 0;
   private settling = SETTLING;
 
   /** ratio: pixels of the screen for one of the page; software: whether the processor draws. */
-  constructor(ratio: number, software: boolean) {
+  constructor(ratio: number, software: boolean, solids: number) {
     const sharpest = LEVELS.findIndex((quality) => quality.pixels <= Math.max(1, ratio));
-    this.best = software ? Math.max(sharpest, 3) : sharpest;
-    this.level = this.best;
+    this.best = software ? Math.max(sharpest, SOFTWARE_BEST) : sharpest;
+    this.first = software && solids > MANY_SOLIDS ? SOFTWARE_MANY : this.best;
+    this.level = this.first;
   }
 
+  /** While something moves. */
   get quality(): Quality {
     return LEVELS[this.level];
+  }
+
+  /** When nothing moves: there is time for one good picture. */
+  get still(): Quality {
+    return LEVELS[this.first];
   }
 
   /** Says how long the last picture took [s]; true when the quality changed. Only while something moves. */
@@ -56,7 +73,7 @@ export class Governor {
     this.time += elapsed;
     this.pictures++;
     const mean = this.time / this.pictures;
-    if (this.time > PATIENCE && mean > TOO_SLOW) return this.change(1);
+    if (this.time > PATIENCE && mean > TOO_SLOW) return this.change(mean > FAR_TOO_SLOW * TOO_SLOW ? 2 : 1);
     if (this.time > CAUTION) {
       if (mean < TO_SPARE && this.level - 1 >= this.best && this.level - 1 < this.blocked) return this.change(-1);
       this.restart();
@@ -73,7 +90,7 @@ export class Governor {
   /** A level that was too slow is not tried again. */
   private change(by: number): boolean {
     const level = Math.min(LEVELS.length - 1, this.level + by);
-    if (by > 0) this.blocked = Math.min(this.blocked, this.level + 1);
+    if (by > 0) this.blocked = Math.min(this.blocked, level);
     this.restart();
     this.settling = SETTLING;
     const changed = level !== this.level;

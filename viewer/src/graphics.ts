@@ -17,7 +17,10 @@ export function graphicsFor(solids: number): Graphics | null {
   if (software === null) return null;
   try {
     const antialias = !(software && solids > MANY_SOLIDS);
-    return { renderer: new WebGLRenderer({ antialias, powerPreference: "high-performance" }), software };
+    const canvas = document.createElement("canvas");
+    // Three.js would ask for a canvas that can be seen through, which takes longer to put on the page.
+    const context = canvas.getContext("webgl2", { alpha: false, antialias, depth: true, powerPreference: "high-performance" });
+    return context && { renderer: new WebGLRenderer({ canvas, context }), software };
   } catch {
     return null;
   }

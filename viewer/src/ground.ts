@@ -7,7 +7,7 @@ import {
 import type { Moment } from "./player";
 import type { Placed, Recording } from "./recording";
 import { product, turned } from "./rotation";
-import type { Frame } from "./solids";
+import type { Frame } from "./batch";
 
 /** Half the side of a floor, in radii of the scene. Walls are not larger than the scene. */
 const FLOOR = 12;

@@ -27,6 +27,8 @@ export interface MeshHead {
   readonly vertices: SectionNumber;
   readonly normals: SectionNumber;
   readonly triangles: SectionNumber;
+  /** The same with fewer triangles, null where there is no such. */
+  readonly coarse: MeshHead | null;
 }
 
 export interface PlacedHead {

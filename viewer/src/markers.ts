@@ -4,7 +4,7 @@
 import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Points, PointsMaterial } from "three";
 import type { Moment } from "./player";
 import type { Body } from "./recording";
-import type { Frame } from "./solids";
+import type { Frame } from "./batch";
 
 /** Bodies of a smaller radius, in radii of the scene, get a dot; this many pixels wide. */
 const TOO_SMALL = 0.004;

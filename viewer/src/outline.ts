@@ -2,7 +2,7 @@
 
 import { BackSide, Group, Mesh, ShaderMaterial, Color, Matrix4, Vector3, type BufferGeometry } from "three";
 import type { Placed } from "./recording";
-import type { Batch } from "./solids";
+import type { Batch } from "./batch";
 
 /** Width of the rim in pixels of the page. */
 const WIDTH = 2.5;
@@ -55,7 +55,7 @@ export class Outline {
     this.size.value[0] = width;
     this.size.value[1] = height;
     for (const { mesh, batch, instance } of this.shown) {
-      batch.mesh.getMatrixAt(instance, this.matrix);
+      batch.instances.getMatrixAt(instance, this.matrix);
       mesh.matrix.copy(this.matrix);
       mesh.matrixWorldNeedsUpdate = true;
     }
@@ -68,7 +68,7 @@ export class Outline {
   private solidsOf(body: number): { mesh: Mesh; batch: Batch; instance: number }[] {
     return this.batches.flatMap((batch) =>
       batch.numbers.flatMap((number, instance) =>
-        this.placed[number].body === body ? [{ mesh: this.rim(batch.mesh.geometry), batch, instance }] : [],
+        this.placed[number].body === body ? [{ mesh: this.rim(batch.geometry), batch, instance }] : [],
       ),
     );
   }

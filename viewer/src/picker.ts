@@ -1,10 +1,10 @@
 // Which body is seen at a point of the window.
 
-import { Raycaster, Vector2, Vector3, type InstancedMesh, type Object3D, type PerspectiveCamera } from "three";
+import { InstancedMesh, Raycaster, Vector2, Vector3, type Intersection, type Object3D, type PerspectiveCamera } from "three";
 import type { Ground } from "./ground";
 import type { Markers } from "./markers";
 import type { Placed } from "./recording";
-import type { Batch } from "./solids";
+import type { Batch } from "./batch";
 
 /** A dot is hit when the pointer is so near [pixels of the page]. */
 const NEAR_A_DOT = 8;
@@ -28,14 +28,19 @@ export class Picker {
     const box = this.canvas.getBoundingClientRect();
     this.at.set((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height);
     this.ray.setFromCamera(this.at, this.camera);
-    for (const batch of this.batches) batch.mesh.computeBoundingSphere();
-    const objects: Object3D[] = [...this.batches.map((batch) => batch.mesh), ...this.ground.squares];
-    const hit = this.ray.intersectObjects(objects, false)[0];
-    if (hit && hit.instanceId !== undefined) {
-      const batch = this.batches.find((one) => one.mesh === (hit.object as InstancedMesh));
-      return batch ? this.placed[batch.numbers[hit.instanceId]].body : null;
+    let nearest = Infinity, found: number | null = null;
+    for (const batch of this.batches) {
+      const hit = this.nearest([batch.instances]);
+      if (hit && hit.distance < nearest) [nearest, found] = [hit.distance, this.placed[batch.numbers[hit.instanceId ?? 0]].body];
     }
-    return this.dotAt(x - box.left, y - box.top, box) ?? (hit ? (hit.object.userData["body"] as number) : null);
+    const ground = this.nearest(this.ground.squares);
+    if (found !== null && !(ground && ground.distance < nearest)) return found;
+    return this.dotAt(x - box.left, y - box.top, box) ?? (ground ? (ground.object.userData["body"] as number) : null);
+  }
+
+  private nearest(objects: Object3D[]): Intersection | undefined {
+    for (const object of objects) if (object instanceof InstancedMesh) object.computeBoundingSphere();
+    return this.ray.intersectObjects(objects, false)[0];
   }
 
   private dotAt(x: number, y: number, box: DOMRect): number | null {

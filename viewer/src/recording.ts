@@ -31,6 +31,8 @@ export interface MeshData {
   readonly normals: Float32Array;
   /** (T * 3), counter-clockwise from outside */
   readonly triangles: Uint32Array;
+  /** The same with fewer triangles, null where there is no such. */
+  readonly coarse: MeshData | null;
 }
 
 /** One solid of a body: mesh vertex * scale, turned and moved in the body's axes, is a point of the body. */

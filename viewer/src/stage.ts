@@ -1,28 +1,31 @@
 // The world as it is drawn: puts the parts together and draws them when something changed.
 
 import {
-  Color, Group, MeshBasicMaterial, PCFShadowMap, Scene, Vector3, WebGLRenderer, type BufferGeometry, type Camera,
+  Color, Group, MeshBasicMaterial, PCFShadowMap, Scene, Vector3, WebGLRenderer, type Camera,
 } from "three";
 import type { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { batchesOf, type Batch, type Frame } from "./batch";
 import { bodyRadii, diagonal, sceneBox, typicalRadius, type Box } from "./bounds";
 import type { Clock } from "./clock";
-import { Governor } from "./governor";
+import { byMaterial } from "./colours";
+import { Governor, type Quality } from "./governor";
 import { Ground } from "./ground";
 import { Lights } from "./lights";
 import { Markers } from "./markers";
-import { bodyMaterial } from "./material";
+import { bodyMaterial, simpleMaterial } from "./material";
 import { Outline } from "./outline";
 import { Picker } from "./picker";
 import type { Moment } from "./player";
 import { Rate } from "./rate";
 import type { Recording } from "./recording";
 import { Rig } from "./rig";
-import { batchesOf, byMaterial, geometriesOf, type Batch, type Frame } from "./solids";
 import type { Paint, Painter, Theme, World } from "./world";
 
 /** The diagonal of the scene in view units. */
 const SIZE = 10;
 const RADIUS = SIZE / 2;
+/** Milliseconds without motion after which a better picture is drawn. */
+const STILL_AFTER = 250;
 
 const THEMES = {
   light: { background: "#e9edf2", floor: "#cfd6de", wall: "#9aa7b5", lines: "#8b98a6", outline: "#d9480f", shapes: "#1c4f8a" },
@@ -44,7 +47,6 @@ export class Stage implements World {
   private readonly ground: Ground;
   private readonly markers: Markers;
   private readonly batches: readonly Batch[];
-  private readonly geometries: readonly BufferGeometry[];
   private shapes: readonly Batch[] = [];
   private readonly shapeMaterial = new MeshBasicMaterial({ wireframe: true });
   private readonly outline: Outline;
@@ -60,6 +62,12 @@ export class Stage implements World {
   private followed: number | null = null;
   private readonly place = new Vector3();
   private scheduled = false;
+  /** What is to be set before the next picture. */
+  private sizeDue = true;
+  private qualityDue = true;
+  /** Drawn as a still picture. */
+  private still = true;
+  private settling = 0;
   private lastTick = 0;
   private lastTime = NaN;
 
@@ -76,22 +84,21 @@ export class Stage implements World {
     this.unit = diagonal(box) / SIZE;
     this.frame = { unit: this.unit, origin: middleOf(box) };
     this.bodySize = typicalRadius(recording, this.radii) / this.unit || 0.02 * SIZE;
-    this.governor = new Governor(window.devicePixelRatio, software);
+    this.governor = new Governor(window.devicePixelRatio, software, recording.placed.length);
     this.rig = new Rig(this.canvas, RADIUS);
-    this.geometries = geometriesOf(recording.meshes);
-    this.batches = batchesOf(this.geometries, bodyMaterial(), recording.placed, this.frame, (placed) => placed.shown);
+    const surfaces = { smooth: bodyMaterial(), simple: simpleMaterial };
+    this.batches = batchesOf(recording.meshes, surfaces, recording.placed, this.frame, (placed) => placed.shown);
     this.ground = new Ground(recording, clock.moment, this.frame, RADIUS, (box.low[2] - this.frame.origin[2]) / this.unit);
     this.markers = new Markers(recording.bodies, this.radii, this.frame, RADIUS);
     this.outline = new Outline(recording.placed, this.batches);
     this.picker = new Picker(this.canvas, this.rig.camera, recording.placed, this.batches, this.ground, this.markers);
     this.painter = byMaterial(recording.placed);
     this.assemble();
-    this.applyQuality();
     this.setTheme("light");
     this.frameAll();
     this.rig.controls.addEventListener("change", () => this.redraw());
     recording.onGrowth(() => this.redraw());
-    new ResizeObserver(() => this.resize()).observe(this.canvas);
+    new ResizeObserver(() => this.resized()).observe(this.canvas);
     this.resize();
   }
 
@@ -151,13 +158,11 @@ export class Stage implements World {
 
   setCollisionShapes(shown: boolean): void {
     if (shown && !this.shapes.length) {
-      this.shapes = batchesOf(this.geometries, this.shapeMaterial, this.recording.placed, this.frame, (placed) => placed.collides);
-      for (const batch of this.shapes) {
-        batch.mesh.instanceColor = null;
-        this.scene.add(batch.mesh);
-      }
+      const wires = { smooth: this.shapeMaterial, simple: () => this.shapeMaterial };
+      this.shapes = batchesOf(this.recording.meshes, wires, this.recording.placed, this.frame, (placed) => placed.collides);
+      for (const batch of this.shapes) this.scene.add(batch.instances);
     }
-    for (const batch of this.shapes) batch.mesh.visible = shown;
+    for (const batch of this.shapes) batch.instances.visible = shown;
     this.redraw();
   }
 
@@ -168,7 +173,8 @@ export class Stage implements World {
 
   setShadows(wanted: boolean): void {
     this.shadowsWanted = wanted;
-    this.applyQuality();
+    this.qualityDue = true;
+    this.redraw();
   }
 
   setTheme(theme: Theme): void {
@@ -185,17 +191,18 @@ export class Stage implements World {
   }
 
   quality(): string {
-    const { pixels, shadows } = this.governor.quality;
-    const size = `${this.canvas.width}x${this.canvas.height}`;
-    return `${size} (${pixels} of a pixel), ${shadows && this.shadowsWanted ? `shadows ${shadows}` : "no shadows"}`;
+    const { pixels, shadows, fine } = this.current;
+    const size = `${this.canvas.width}x${this.canvas.height} (${pixels} of a pixel)`;
+    const shadow = shadows && this.shadowsWanted ? `shadows ${shadows}` : "no shadows";
+    return `${size}, ${shadow}, ${fine ? "fine" : "coarse"}`;
   }
 
   private assemble(): void {
     this.scene.add(this.lights.group, this.ground.group, this.markers.points, this.outline.group, this.overlay);
     for (const batch of this.batches) {
-      batch.mesh.castShadow = true;
-      batch.mesh.receiveShadow = true;
-      this.scene.add(batch.mesh);
+      batch.instances.castShadow = true;
+      batch.instances.receiveShadow = true;
+      this.scene.add(batch.instances);
     }
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = false;
@@ -206,21 +213,24 @@ export class Stage implements World {
     const elapsed = this.lastTick ? Math.max(0, (now - this.lastTick) / 1000) : 0;
     const playing = this.clock.playing && !this.clock.following;
     this.clock.advance(playing ? elapsed : 0);
-    this.draw(elapsed);
-    if (playing && this.rate.count(now) && this.governor.measure(elapsed)) this.applyQuality();
+    if (playing && this.rate.count(now) && this.governor.measure(elapsed)) this.qualityDue = true;
     if (!playing) {
       this.rate.pause();
       this.governor.restart();
     }
+    const glides = this.prepare(elapsed);
+    this.settle(playing || glides || this.clock.moment.time !== this.lastTime);
+    this.draw();
     const goesOn = this.clock.playing && !this.clock.following;
     this.lastTick = goesOn ? now : 0;
-    if (goesOn) this.redraw();
+    if (goesOn || glides) this.redraw();
   }
 
-  private draw(elapsed: number): void {
+  /** Puts everything in its place; true while the camera still glides. */
+  private prepare(elapsed: number): boolean {
     const { moment } = this.clock;
     for (const batch of this.batches) batch.move(moment);
-    for (const batch of this.shapes) if (batch.mesh.visible) batch.move(moment);
+    for (const batch of this.shapes) if (batch.instances.visible) batch.move(moment);
     this.markers.move(moment);
     if (this.followed !== null) this.rig.along(this.placeOf(this.followed));
     const glides = this.rig.update();
@@ -230,10 +240,32 @@ export class Stage implements World {
     }
     for (const call of this.calls) call(moment, elapsed);
     this.outline.move(this.canvas.clientWidth, this.canvas.clientHeight);
-    this.renderer.shadowMap.needsUpdate ||= moment.time !== this.lastTime;
-    this.lastTime = moment.time;
+    return glides;
+  }
+
+  private draw(): void {
+    const { time } = this.clock.moment;
+    if (this.sizeDue) this.resize();
+    if (this.qualityDue) this.applyQuality();
+    this.renderer.shadowMap.needsUpdate ||= time !== this.lastTime;
+    this.lastTime = time;
     this.renderer.render(this.scene, this.rig.camera);
-    if (glides) this.redraw();
+  }
+
+  /** Draws in the quality of what moves, and once more in that of a still picture when nothing has moved for a while. */
+  private settle(moves: boolean): void {
+    if (!moves && (this.still || this.settling)) return;
+    window.clearTimeout(this.settling);
+    this.settling = window.setTimeout(() => this.become(true), STILL_AFTER);
+    if (moves && this.still) this.become(false);
+  }
+
+  private become(still: boolean): void {
+    if (still) this.settling = 0;
+    this.still = still;
+    if (this.governor.still === this.governor.quality) return;
+    this.qualityDue = true;
+    this.redraw();
   }
 
   private placeOf(body: number): Vector3 {
@@ -241,13 +273,23 @@ export class Stage implements World {
     return this.toView(positions[3 * body], positions[3 * body + 1], positions[3 * body + 2], this.place);
   }
 
+  private get current(): Quality {
+    return this.still ? this.governor.still : this.governor.quality;
+  }
+
   private applyQuality(): void {
-    const { pixels, shadows } = this.governor.quality;
+    const { pixels, shadows, fine } = this.current;
+    this.qualityDue = false;
     const side = this.shadowsWanted ? shadows : 0;
+    for (const batch of this.batches) batch.setDetail(fine);
     this.lights.setShadows(side);
     this.renderer.shadowMap.enabled = side > 0;
     this.renderer.shadowMap.needsUpdate = true;
     this.renderer.setPixelRatio(Math.min(pixels, Math.max(1, window.devicePixelRatio)));
+  }
+
+  private resized(): void {
+    this.sizeDue = true;
     this.redraw();
   }
 
@@ -255,7 +297,7 @@ export class Stage implements World {
     const width = this.canvas.clientWidth || 1, height = this.canvas.clientHeight || 1;
     this.rig.resize(width, height);
     this.renderer.setSize(width, height, false);
-    this.redraw();
+    this.sizeDue = false;
   }
 }
 
