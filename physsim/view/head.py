@@ -13,19 +13,23 @@ from physsim.view.tessellate import Mesh, Placed, tessellated
 
 # Half width of a half-space in the head; the page stretches it to the size of what it shows.
 GROUND = 1.0
-# Up to so many solids, so many segments around a circle: what software rendering of a thousand moving bodies
-# has time for, and what looks round where there are few.
-FINENESS = ((40, 48), (150, 32), (500, 20))
-LEAST_FINENESS = 14
+# Segments around a circle: fine up to so many solids, what looks round close by; and coarse, for machines
+# without a graphics card, which draw a thousand moving bodies with it and no more.
+FINENESS = ((100, 48), (400, 32))
+FINE_OF_MANY = 24
+COARSE = 8
 
 
 def still_part(stage: Stage, sections: Sections) -> dict[str, Any]:
-    """Bodies, meshes, placed, joints and springs, as `viewer/src/head.ts` describes them."""
-    fineness = next((fine for most, fine in FINENESS if len(stage.solids) <= most), LEAST_FINENESS)
+    """Bodies, meshes (fine and coarse ones, in the same order), placed, joints and springs, as
+    `viewer/src/head.ts` describes them.
+    """
+    fineness = next((fine for most, fine in FINENESS if len(stage.solids) <= most), FINE_OF_MANY)
     meshes, placed = tessellated(stage, fineness, GROUND)
+    coarse, _ = tessellated(stage, COARSE, GROUND)
     return {
         "bodies": _bodies(stage.actors, stage.solids, sections),
-        "meshes": [_mesh(mesh, sections) for mesh in meshes],
+        "meshes": [_mesh(*both, sections) for both in zip(meshes, coarse, strict=True)],
         "placed": _placed(placed, stage.solids, sections),
         "joints": _links(stage.joints, sections),
         "springs": _links(stage.springs, sections),
@@ -47,11 +51,14 @@ def _bodies(actors: Sequence[Actor], solids: Iterable[Solid], sections: Sections
     }
 
 
-def _mesh(mesh: Mesh, sections: Sections) -> dict[str, int]:
+def _mesh(mesh: Mesh, coarse: Mesh, sections: Sections) -> dict[str, Any]:
+    """`coarse`: None where it is the same."""
+    same = len(coarse.triangles) == len(mesh.triangles)
     return {
         "vertices": sections.add("f4", mesh.vertices),
         "normals": sections.add("f4", mesh.normals),
         "triangles": sections.add("u4", mesh.triangles),
+        "coarse": None if same else _mesh(coarse, coarse, sections),
     }
 
 
