@@ -73,7 +73,7 @@ def exported(scene: Path, folder: Path, duration: str, *words: str) -> Path:
 
 
 def test_scenes_are_valid(validate: Validate, tmp_path: Path) -> None:
-    """Shapes of every kind, meshes, compounds, springs, a string that breaks, hostile names; nothing moves or shows."""
+    """Every kind of shape, compounds, springs, a string that breaks, hostile names, no motion, nothing."""
     names = (
         "nuts_and_brackets",
         "marbles_in_a_funnel",
