@@ -66,12 +66,13 @@ export class AboutPanel {
   private facts(): [string, string][] {
     const { about, bodies, joints, springs, frames, times } = this.recording;
     const { text } = STATUS[about.status];
+    const left = about.framesInFile === frames ? "" : ` of ${about.framesInFile} in the file`;
     const facts: [string, string][] = [
       ["Title", about.title || "none"],
       ["File", about.file],
       ["Run", about.detail ? `${text}: ${about.detail}` : text],
       ["physsim", about.physsimVersion],
-      ["Frames", about.framesInFile === frames ? count(frames, "frame") : `${count(frames, "frame")} of ${about.framesInFile} in the file`],
+      ["Frames", count(frames, "frame") + left],
     ];
     if (frames) facts.push(["Time", `${exact(times[0])} to ${exact(times[frames - 1])}\u202fs`]);
     const who = [count(bodies.length, "body", "bodies"), count(joints.length, "joint"), count(springs.length, "spring")];

@@ -16,8 +16,8 @@ export class Bodies {
   private card: BodyCard | LinkCard | null = null;
   private shown: Subject | null = null;
   private readonly field = element("input", {
-    type: "search", placeholder: "Search by name or material", "aria-label": "Search for a body, joint or spring", autocomplete: "off",
-    spellcheck: "false",
+    type: "search", placeholder: "Search by name or material", "aria-label": "Search for a body, joint or spring",
+    autocomplete: "off", spellcheck: "false",
   });
   private readonly rows = element("ul", { class: "list" });
   private readonly list = element("div", { class: "finder" }, this.field, this.rows);
@@ -70,7 +70,8 @@ export class Bodies {
   private fill(): void {
     const found = [...this.subjects()];
     const rows = found.slice(0, MOST_ROWS).map((subject) => element("li", {}, this.row(subject)));
-    if (found.length > MOST_ROWS) rows.push(element("li", { class: "more" }, `${found.length - MOST_ROWS} more: type more of the name.`));
+    const more = found.length - MOST_ROWS;
+    if (more > 0) rows.push(element("li", { class: "more" }, `${more} more: type more of the name.`));
     if (!found.length) rows.push(element("li", { class: "more" }, "Nothing of that name."));
     this.rows.replaceChildren(...rows);
   }

@@ -91,7 +91,8 @@ export class BodyCard {
     const partners = partnersOf(contacts, this.body.index);
     const rows = partners.slice(0, MOST_PARTNERS).map(([other, sum]) =>
       row(this.recording.bodies[other]?.name ?? "world", count(sum.points, "point"), quantity(Math.hypot(...sum.force), "N", 4)));
-    if (partners.length > MOST_PARTNERS) rows.push(row(`and ${count(partners.length - MOST_PARTNERS, "body more", "bodies more")}`));
+    const more = partners.length - MOST_PARTNERS;
+    if (more > 0) rows.push(row(`and ${count(more, "body more", "bodies more")}`));
     if (!partners.length) rows.push(row("touches nothing"));
     if (contacts.omitted) rows.push(row(`${count(contacts.omitted, "weak point")} left out of this frame`));
     this.contacts.replaceChildren(...rows);

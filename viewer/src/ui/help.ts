@@ -36,7 +36,8 @@ function table(name: string, rows: readonly (readonly [string, string])[]): HTML
   const asKeys = (text: string): (Node | string)[] => (rows === POINTER ? [text] : caps(text));
   const lines = rows.map(([keys, does]) =>
     element("tr", {}, element("th", { scope: "row" }, ...asKeys(keys)), element("td", {}, does)));
-  return element("section", { class: rows === POINTER ? "fingers" : "keys" }, element("h3", {}, name), element("table", {}, element("tbody", {}, ...lines)));
+  const body = element("table", {}, element("tbody", {}, ...lines));
+  return element("section", { class: rows === POINTER ? "fingers" : "keys" }, element("h3", {}, name), body);
 }
 
 /** Two spaces stand between keys that do the same. */

@@ -23,20 +23,49 @@ import { listenToPicks } from "./picking";
 import { Plots } from "./plots";
 import { Selection } from "./selection";
 import { Store } from "./settings";
-import { shortcuts, type Parts } from "./shortcuts";
+import { shortcuts } from "./shortcuts";
 import { showPanel } from "./show";
 import { keepTheme } from "./theme";
 import "./viewer.css";
 
+/** Windows of this width have room for the plots beside the view from the start [px]. */
+const ROOMY = 1000;
+
+/** What is shown around the view. */
+interface Parts {
+  readonly bar: Bar;
+  readonly badge: Badge;
+  readonly about: AboutPanel;
+  readonly plots: Plots;
+  readonly bodies: Bodies;
+  readonly panels: Panels;
+}
+
 export function mountUi(app: App): Ui {
-  const { recording, player, world, root } = app;
+  const { recording, world, root } = app;
   const store = new Store();
   const selection = new Selection(recording);
   const legend = new Legend(recording, world, store, draw(app, store, selection));
-  keepColours(recording, world, store);
+  const parts = partsOf(app, store, selection);
+  const { bar, badge, bodies, panels, plots } = parts;
+  const keys = shortcuts({
+    app, store, selection, panels, openHelp: () => openHelp(),
+    findPlot: () => (panels.show("Plots"), plots.focus()),
+    findBody: () => (panels.show("Bodies"), selection.select(null), bodies.focus()),
+  });
+  const openHelp = help(root, keys);
+  root.append(header(app, panels, badge, openHelp), panels.sides.left, panels.sides.right, legend.element, bar.element);
+  listenToKeys(keys);
+  listenToPicks(world, (body) => selection.selectBody(body));
+  keepSelection(app, selection, panels);
+  keepWorld(app, store, plots);
+  keepTime(app, parts);
+  if (window.innerWidth >= ROOMY && !plots.isEmpty) panels.show("Plots");
+  return { selected: () => selection.body, select: (body) => selection.selectBody(body) };
+}
 
-  const bar = new Bar(player);
-  const badge = new Badge(recording);
+function partsOf(app: App, store: Store, selection: Selection): Parts {
+  const { recording, player, world } = app;
   const about = new AboutPanel(recording, world);
   const plots = new Plots(recording, player);
   const bodies: Bodies = new Bodies(recording, player, selection, (name) => {
@@ -49,35 +78,7 @@ export function mountUi(app: App): Ui {
     { name: "Plots", key: "P", side: "right", icon: PLOTS, content: plots.element },
     { name: "About", key: "I", side: "left", icon: ABOUT, content: about.element },
   ], () => layOut(app, panels, plots));
-
-  const parts: Parts = {
-    app, store, selection, panels, openHelp: () => openHelp(),
-    findPlot: () => (panels.show("Plots"), plots.focus()),
-    findBody: () => (panels.show("Bodies"), selection.select(null), bodies.focus()),
-  };
-  const keys = shortcuts(parts);
-  const openHelp = help(root, keys);
-  root.append(
-    header(app, panels, badge, openHelp), panels.sides.left, panels.sides.right, legend.element, bar.element,
-  );
-
-  listenToKeys(keys);
-  listenToPicks(world, (body) => selection.selectBody(body));
-  keepSelection(app, selection, panels);
-  keepWorld(app, store);
-  keepTheme(world, store, () => plots.redraw());
-  player.onChange(() => {
-    bar.update();
-    bodies.update();
-    plots.update();
-  });
-  recording.onGrowth(paced(() => {
-    about.update();
-    badge.update();
-    bar.update();
-  }, 500));
-  if (!Panels.narrow && !plots.isEmpty && window.innerWidth >= 1000) panels.show("Plots");
-  return { selected: () => selection.body, select: (body) => selection.selectBody(body) };
+  return { bar: new Bar(player), badge: new Badge(recording), about, plots, bodies, panels };
 }
 
 /** Everything that is drawn into the view; the force arrows are handed out, for the legend. */
@@ -119,8 +120,24 @@ function keepSelection({ world }: App, selection: Selection, panels: Panels): vo
   });
 }
 
-function keepWorld({ world }: App, store: Store): void {
+function keepWorld({ recording, world }: App, store: Store, plots: Plots): void {
+  keepColours(recording, world, store);
+  keepTheme(world, store, () => plots.redraw());
   store.watch(["grid"], () => world.setGrid(store.now.grid));
   store.watch(["wireframe"], () => world.setCollisionShapes(store.now.wireframe));
   store.watch(["shadows"], () => world.setShadows(store.now.shadows));
+}
+
+/** What goes with the time, and with the growth of a run that is watched. */
+function keepTime({ player, recording }: App, { bar, badge, about, bodies, plots }: Parts): void {
+  player.onChange(() => {
+    bar.update();
+    bodies.update();
+    plots.update();
+  });
+  recording.onGrowth(paced(() => {
+    about.update();
+    badge.update();
+    bar.update();
+  }, 500));
 }

@@ -37,8 +37,9 @@ function isTyping(target: EventTarget | null): boolean {
 function isTaken(target: EventTarget | null, key: string): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.closest("dialog[open]") && key !== "?" && key !== "h") return true;
-  if (target instanceof HTMLInputElement && target.type === "range") return !target.classList.contains("time");
-  if (target instanceof HTMLInputElement && ["checkbox", "radio"].includes(target.type)) return key === " " || key.startsWith("Arrow");
+  if (target instanceof HTMLInputElement && target.type === "range") return false;
+  const isBox = target instanceof HTMLInputElement && ["checkbox", "radio"].includes(target.type);
+  if (isBox) return key === " " || key.startsWith("Arrow");
   if (isTyping(target)) return true;
   return target.tagName === "BUTTON" && (key === " " || key === "Enter") && target.matches(":focus-visible");
 }

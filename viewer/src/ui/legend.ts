@@ -59,8 +59,9 @@ export class Legend {
 
   private printColours(): void {
     const { colouring } = this.store.now;
-    const made = { material: () => this.materials(), speed: () => this.speeds(), body: () => [element("div", {}, "colours and patterns: one body each, in turn")] }[colouring]();
-    this.colours.replaceChildren(...made);
+    if (colouring === "material") this.colours.replaceChildren(...this.materials());
+    else if (colouring === "speed") this.colours.replaceChildren(...this.speeds());
+    else this.colours.replaceChildren("colours and patterns: one body each, in turn");
   }
 
   private materials(): HTMLElement[] {
@@ -94,13 +95,17 @@ export class Legend {
     if (this.forces.hidden) return;
     const { length, force, longest } = this.contacts.forceScale;
     this.forces.replaceChildren(
-      element("div", { class: "row" }, element("span", { class: "sign sticks" }), "contact that sticks"),
-      element("div", { class: "row" }, element("span", { class: "sign slides" }), "contact that slides"),
-      element("div", { class: "row" }, element("span", { class: "sign arrow" }), `${inMetres(length)} of arrow: ${exact(force)}\u202fN`),
-      element("div", { class: "row" }, element("span", { class: "sign arrow cut" }), `thick: stronger, cut at ${inMetres(longest)}`),
+      sign("sticks", "contact that sticks"),
+      sign("slides", "contact that slides"),
+      sign("arrow", `${inMetres(length)} of arrow: ${exact(force)}\u202fN`),
+      sign("arrow cut", `thick: stronger, cut at ${inMetres(longest)}`),
       this.omitted,
     );
   }
+}
+
+function sign(kind: string, text: string): HTMLElement {
+  return element("div", { class: "row" }, element("span", { class: `sign ${kind}` }), text);
 }
 
 /** 5 mm, 20 cm, 1 m, 200 km: round numbers need no powers of ten. */

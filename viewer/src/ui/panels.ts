@@ -13,8 +13,7 @@ export interface Panel {
   readonly content: HTMLElement;
 }
 
-/** So narrow that panels lie at the bottom, and so narrow that two would leave no view. */
-const NARROW = matchMedia("(max-width: 759px)");
+/** So narrow that two panels would leave no view. */
 const ONE_PANEL = matchMedia("(max-width: 1099px)");
 
 export class Panels {
@@ -39,10 +38,6 @@ export class Panels {
     ONE_PANEL.addEventListener("change", () => ONE_PANEL.matches && this.open.left && this.close("right"));
   }
 
-  static get narrow(): boolean {
-    return NARROW.matches;
-  }
-
   isOpen(name: string): boolean {
     const panel = this.find(name);
     return this.open[panel.side] === panel;
@@ -61,10 +56,8 @@ export class Panels {
     this.open[panel.side] = panel;
     const side = this.sides[panel.side];
     side.setAttribute("aria-label", panel.name);
-    side.replaceChildren(
-      element("header", {}, element("h2", {}, panel.name), button(`Close ${panel.name}`, icon(...CLOSE), "", () => this.close(panel.side))),
-      panel.content,
-    );
+    const close = button(`Close ${panel.name}`, icon(...CLOSE), "", () => this.close(panel.side));
+    side.replaceChildren(element("header", {}, element("h2", {}, panel.name), close), panel.content);
     side.hidden = false;
     this.tell();
   }

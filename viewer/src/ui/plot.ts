@@ -31,7 +31,7 @@ export class Plot {
   /** Called with the time that was clicked or dragged to. */
   onSeek: (time: number) => void = () => undefined;
   private readonly paper = element("canvas", { "aria-hidden": "true" });
-  private readonly glass = element("canvas", { tabindex: 0, role: "img" });
+  private readonly glass = element("canvas", { role: "img" });
   private readonly tip = element("div", { class: "plot-tip", hidden: true });
   private lines: readonly Line[] = [];
   private times: Float64Array = new Float64Array(0);

@@ -14,7 +14,8 @@ const COLOURINGS: readonly Colouring[] = ["material", "speed", "body"];
 const TRAILS: readonly Trails[] = ["none", "selected", "all"];
 const THEMES: readonly ThemeChoice[] = ["auto", "light", "dark"];
 
-export interface Parts {
+/** What the keys act on. */
+export interface Hands {
   app: App;
   store: Store;
   selection: Selection;
@@ -24,11 +25,11 @@ export interface Parts {
   findBody: () => void;
 }
 
-export function shortcuts(parts: Parts): Shortcut[] {
+export function shortcuts(parts: Hands): Shortcut[] {
   return [...playing(parts), ...seeing(parts), ...switches(parts), ...panelKeys(parts)];
 }
 
-function playing({ app: { player } }: Parts): Shortcut[] {
+function playing({ app: { player } }: Hands): Shortcut[] {
   return [
     { keys: [" ", "k"], print: "Space", group: "Play", does: "play, pause", act: () => player.toggle() },
     { keys: ["ArrowRight", "."], print: "→  .", group: "Play", does: "one frame forward", act: () => player.step(1) },
@@ -45,24 +46,25 @@ function playing({ app: { player } }: Parts): Shortcut[] {
   ];
 }
 
-function seeing({ app: { world }, store, selection }: Parts): Shortcut[] {
+function seeing({ app: { world }, store, selection }: Hands): Shortcut[] {
   return [
     { keys: ["f"], print: "F", group: "View", does: "follow the selected body, let go", act: () => selection.toggleFollow() },
     { keys: ["r"], print: "R", group: "View", does: "show all that moves", act: () => world.frameAll() },
     { keys: ["t"], print: "T", group: "View", does: "trails: none, selected body, all", act: () => next(store, "trails", TRAILS) },
-    { keys: ["v"], print: "V", group: "View", does: "colours by material, speed, body", act: () => next(store, "colouring", COLOURINGS) },
+    { keys: ["v"], print: "V", group: "View", does: "colours by material, speed, body",
+      act: () => next(store, "colouring", COLOURINGS) },
     { keys: ["d"], print: "D", group: "View", does: "as the system, light, dark", act: () => next(store, "theme", THEMES) },
   ];
 }
 
-function switches({ app: { recording }, store }: Parts): Shortcut[] {
+function switches({ app: { recording }, store }: Hands): Shortcut[] {
   return SWITCHES.filter((one) => one.shortcut).map(({ key, name, shortcut, missing }) => ({
     keys: [shortcut.toLowerCase()], print: shortcut, group: "Show", does: name.toLowerCase(),
     act: () => !missing(recording) && store.flip(key),
   }));
 }
 
-function panelKeys({ panels, selection, openHelp, findPlot, findBody }: Parts): Shortcut[] {
+function panelKeys({ panels, selection, openHelp, findPlot, findBody }: Hands): Shortcut[] {
   return [
     { keys: ["/"], print: "/", group: "Panels", does: "search for a body", act: findBody },
     { keys: ["p"], print: "P", group: "Panels", does: "plots", act: () => panels.toggle("Plots") },

@@ -22,8 +22,10 @@ export const SWITCHES: readonly SwitchRow[] = [
       if (recording.growing || !recording.frames) return "";
       return !recording.contacts(0) ? "not recorded" : recording.strongestContact > 0 ? "" : "none in this run";
     } },
-  { key: "joints", name: "Joints", shortcut: "J", missing: (recording) => (recording.joints.length ? "" : "none in this scene") },
-  { key: "springs", name: "Springs", shortcut: "S", missing: (recording) => (recording.springs.length ? "" : "none in this scene") },
+  { key: "joints", name: "Joints", shortcut: "J",
+    missing: (recording) => (recording.joints.length ? "" : "none in this scene") },
+  { key: "springs", name: "Springs", shortcut: "S",
+    missing: (recording) => (recording.springs.length ? "" : "none in this scene") },
   { key: "labels", name: "Names of bodies", shortcut: "N", missing: always },
   { key: "centers", name: "Centres of mass", shortcut: "M", missing: always },
   { key: "frames", name: "Axes of bodies", shortcut: "B", missing: always },
@@ -48,7 +50,8 @@ export function showPanel({ recording, world }: App, store: Store): HTMLElement 
     "div", { class: "show" },
     element("div", { class: "switches" }, ...SWITCHES.map((row) => switchOf(recording, store, row))),
     element("h4", {}, "Look from"),
-    element("div", { class: "viewpoints" }, ...VIEWPOINTS.map((one) => button(`Look from ${one.name}`, one.name, "", () => lookFrom(world, one)))),
+    element("div", { class: "viewpoints" }, ...VIEWPOINTS.map((one) =>
+      button(`Look from ${one.name}`, one.name, "", () => lookFrom(world, one)))),
     choice(store, "colouring", "Colours by (V)", COLOURINGS),
     choice(store, "trails", "Trails (T)", TRAILS),
     choice(store, "trailLength", "Length of trails", LENGTHS),

@@ -5,8 +5,8 @@
 // The number of turns stays; only h stretches (linear) or only f winds up (torsional).
 
 import {
-  Color, DynamicDrawUsage, GreaterDepth, Group, InstancedBufferAttribute, InstancedBufferGeometry, Float32BufferAttribute, Mesh, ShaderMaterial,
-  Vector3,
+  Color, DynamicDrawUsage, Float32BufferAttribute, GreaterDepth, Group, InstancedBufferAttribute,
+  InstancedBufferGeometry, Mesh, ShaderMaterial, Vector3,
 } from "three";
 import type { Moment } from "../../player";
 import type { Link, Recording, Track } from "../../recording";

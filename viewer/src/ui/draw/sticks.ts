@@ -1,8 +1,8 @@
 // Many arrows or rods in one call of the graphics card: each is two points, a width and a colour.
 
 import {
-  BufferGeometry, ConeGeometry, CylinderGeometry, DynamicDrawUsage, Float32BufferAttribute, GreaterDepth, Group, InstancedBufferAttribute,
-  InstancedBufferGeometry, Mesh, ShaderMaterial, type Color,
+  BufferGeometry, type Color, ConeGeometry, CylinderGeometry, DynamicDrawUsage, Float32BufferAttribute, GreaterDepth,
+  Group, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial,
 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 

@@ -1,8 +1,8 @@
 // A symbol for each kind of joint, of size 1 about the origin, its axis along z.
 
 import {
-  BoxGeometry, BufferGeometry, CatmullRomCurve3, ConeGeometry, CylinderGeometry, OctahedronGeometry, RingGeometry, SphereGeometry, TorusGeometry, TubeGeometry,
-  Vector3,
+  BoxGeometry, BufferGeometry, CatmullRomCurve3, ConeGeometry, CylinderGeometry, OctahedronGeometry, RingGeometry,
+  SphereGeometry, TorusGeometry, TubeGeometry, Vector3,
 } from "three";
 import { mergeGeometries } from "three/addons/utils/BufferGeometryUtils.js";
 

@@ -1,8 +1,8 @@
 // The ways that bodies have gone. All segments lie in the graphics card once; only the time moves.
 
 import {
-  BufferGeometry, Color, Float32BufferAttribute, InstancedBufferGeometry, InstancedInterleavedBuffer, InterleavedBufferAttribute, Mesh, ShaderMaterial,
-  Vector2, Vector3,
+  BufferGeometry, Color, Float32BufferAttribute, InstancedBufferGeometry, InstancedInterleavedBuffer,
+  InterleavedBufferAttribute, Mesh, ShaderMaterial, Vector2, Vector3,
 } from "three";
 import type { Recording } from "../../recording";
 import type { World } from "../../world";
