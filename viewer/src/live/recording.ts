@@ -7,6 +7,7 @@ import type { About, Body, Contacts, Field, Link, MeshData, Placed, QuantityGrou
 import type { Sections } from "../sections";
 import { Frames, type TrackKind } from "./frames";
 import { messagesOf, type Message } from "./messages";
+import { Pace } from "./pace";
 import { LastingTrack, wholeRecording, type Store } from "./store";
 
 /** The head of a page that is fed by a run. */
@@ -28,8 +29,6 @@ export type LiveStatus = About["status"] | "lost";
 /** After the connection broke: so often it is tried again, with so many milliseconds between. */
 const ATTEMPTS = 5;
 const PAUSE = 1000;
-/** Milliseconds between two times that growth is told. */
-const REST = 15;
 const LOST = "the connection to the run was lost";
 
 /** The recording with its first frame; it goes on growing by itself. Raises an Error when there is no run. */
@@ -68,6 +67,7 @@ export class LiveRecording implements Recording {
   private whole: Recording | null = null;
   private newest = -1;
   private telling = false;
+  private readonly pace = new Pace();
 
   constructor(head: LiveHead, still: Still) {
     ({ bodies: this.bodies, meshes: this.meshes, placed: this.placed, joints: this.joints, springs: this.springs } = still);
@@ -204,7 +204,8 @@ export class LiveRecording implements Recording {
       if (this.whole) this.takeWhole(this.whole);
       else if (this.grown.thinOut()) this.quantities = new Quantities(this);
       for (const call of [...this.calls]) call();
-    }, REST);
+      this.pace.measure();
+    }, this.pace.rest);
   }
 
   /** From now on everything is read from the recording of the whole file. */
