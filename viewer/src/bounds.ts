@@ -98,7 +98,27 @@ function includeScenery(recording: Recording, radii: Float64Array, box: Box): vo
   for (const body of recording.bodies) {
     if (!body.fixed || !(radii[body.index] > 0) || 2 * radii[body.index] > limit) continue;
     recording.position.read(0, body.index, place, 0);
-    if (distanceTo(box, place) <= limit) include(box, place, radii[body.index]);
+    if (distanceTo(box, place) <= limit) includeCorners(recording, body.index, box);
+  }
+}
+
+/** The corners of the boxes around a body's solids, as it stands at the start. */
+function includeCorners(recording: Recording, body: number, box: Box): void {
+  const q = new Float64Array(4), p = new Float64Array(3), corner = new Float64Array(3), own = new Float64Array(4);
+  recording.position.read(0, body, p, 0);
+  recording.orientation.read(0, body, q, 0);
+  for (const placed of recording.placed) {
+    if (placed.body !== body || placed.kind === "halfspace") continue;
+    const reach = reachOf(recording.meshes[placed.mesh].vertices);
+    own.set(placed.orientation);
+    for (let k = 0; k < 8; k++) {
+      const [x, y, z] = placed.scale.map((scale, axis) => scale * reach[axis] * (k & (1 << axis) ? 1 : -1));
+      turned(own, 0, x, y, z, corner, 0);
+      for (let axis = 0; axis < 3; axis++) corner[axis] += placed.position[axis];
+      turned(q, 0, corner[0], corner[1], corner[2], corner, 0);
+      for (let axis = 0; axis < 3; axis++) corner[axis] += p[axis];
+      include(box, corner, 0);
+    }
   }
 }
 

@@ -1,22 +1,26 @@
-// Half-spaces as large squares, and the grid on the lowest of them.
+// Half-spaces as large floors and walls, and the grid on the lowest of them.
 
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
-  PlaneGeometry, Quaternion, Vector3, type Object3D,
+  BufferAttribute, CircleGeometry, BufferGeometry, Color, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
+  PlaneGeometry, Quaternion, RingGeometry, Vector3, type Object3D,
 } from "three";
 import type { Moment } from "./player";
 import type { Placed, Recording } from "./recording";
 import { product, turned } from "./rotation";
 import type { Frame } from "./batch";
 
-/** Half the side of a floor, in radii of the scene. Walls are not larger than the scene. */
-const FLOOR = 12;
+/** A floor reaches so many radii of the scene, and fades out over so many more. Walls are not larger than the scene. */
+const FLOOR = 5;
+const FADE = 12;
 const WALL = 1.3;
+const SIDES = 48;
 /** A half-space whose normal points up so much is a floor. */
 const UPRIGHT = 0.8;
 /** Cells of the grid across the scene, about; it reaches so many radii. */
 const CELLS = 12;
 const REACH = 4;
+/** How opaque its lines are in the middle. */
+const STRENGTH = 0.75;
 
 /** A half-space in view units. */
 interface Plane {
@@ -33,9 +37,10 @@ export interface GroundColours {
 
 export class Ground {
   readonly group = new Group();
-  /** The squares, to be picked: `userData.body` says whose they are. */
-  readonly squares: Object3D[] = [];
+  /** Floors and walls, to be picked: `userData.body` says whose they are. */
+  readonly surfaces: Object3D[] = [];
   private readonly floor = new MeshLambertMaterial({ side: FrontSide });
+  private readonly rim = new MeshLambertMaterial({ side: FrontSide, transparent: true, vertexColors: true, depthWrite: false });
   private readonly wall = new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.18, depthWrite: false });
   private readonly lines = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
   private readonly grid: LineSegments;
@@ -60,6 +65,7 @@ export class Ground {
 
   setColours(colours: GroundColours): void {
     this.floor.color = new Color(colours.floor);
+    this.rim.color = new Color(colours.floor);
     this.wall.color = new Color(colours.wall);
     this.lines.color = new Color(colours.lines);
   }
@@ -69,15 +75,31 @@ export class Ground {
   }
 
   private add(placed: Placed, plane: Plane, isFloor: boolean, radius: number): void {
-    const side = 2 * radius * (isFloor ? FLOOR : WALL);
-    const square = new Mesh(new PlaneGeometry(side, side), isFloor ? this.floor : this.wall);
-    square.position.copy(plane.point);
-    square.quaternion.copy(plane.turn);
-    square.receiveShadow = isFloor;
-    square.userData["body"] = placed.body;
-    this.squares.push(square);
-    this.group.add(square);
+    const side = 2 * WALL * radius;
+    const shape = isFloor ? new CircleGeometry(FLOOR * radius, SIDES) : new PlaneGeometry(side, side);
+    const surface = new Mesh(shape, isFloor ? this.floor : this.wall);
+    surface.receiveShadow = isFloor;
+    surface.userData["body"] = placed.body;
+    this.surfaces.push(surface);
+    for (const part of isFloor ? [surface, new Mesh(rimOf(radius), this.rim)] : [surface]) {
+      part.position.copy(plane.point);
+      part.quaternion.copy(plane.turn);
+      this.group.add(part);
+    }
   }
+}
+
+/** Around a floor: its colour, more and more seen through. */
+function rimOf(radius: number): BufferGeometry {
+  const rim = new RingGeometry(FLOOR * radius, (FLOOR + FADE) * radius, SIDES, 6);
+  const places = rim.getAttribute("position");
+  const colours = new Float32Array(4 * places.count).fill(1);
+  for (let k = 0; k < places.count; k++) {
+    const away = (Math.hypot(places.getX(k), places.getY(k)) / radius - FLOOR) / FADE;
+    colours[4 * k + 3] = Math.max(0, 1 - away) ** 2;
+  }
+  rim.setAttribute("color", new BufferAttribute(colours, 4));
+  return rim;
 }
 
 /** Its point nearest to the middle of the scene, which is the origin of the view. */
@@ -118,7 +140,7 @@ function gridOf(frame: Frame, radius: number, material: LineBasicMaterial): Line
   const put = (x: number, y: number): void => {
     points.push(x * side, y * side, 0);
     const away = Math.hypot(x, y) / lines;
-    colours.push(1, 1, 1, Math.max(0, 1 - away * away));
+    colours.push(1, 1, 1, STRENGTH * Math.max(0, 1 - away) ** 1.5);
   };
   for (let k = -lines; k <= lines; k++) {
     for (let m = -lines; m < lines; m += 2) {

@@ -33,7 +33,7 @@ export class Picker {
       const hit = this.nearest([batch.instances]);
       if (hit && hit.distance < nearest) [nearest, found] = [hit.distance, this.placed[batch.numbers[hit.instanceId ?? 0]].body];
     }
-    const ground = this.nearest(this.ground.squares);
+    const ground = this.nearest(this.ground.surfaces);
     if (found !== null && !(ground && ground.distance < nearest)) return found;
     return this.dotAt(x - box.left, y - box.top, box) ?? (ground ? (ground.object.userData["body"] as number) : null);
   }

@@ -6,7 +6,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 const FIELD_OF_VIEW = 38;
 /** Seen from the front, a little from the right and from above. */
 const FROM = new Vector3(0.5, -1, 0.42).normalize();
-const MARGIN = 1.08;
+const MARGIN = 1.15;
 
 export class Rig {
   readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000);
@@ -29,12 +29,20 @@ export class Rig {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Moves back until a sphere fits into the picture, both ways. */
-  show(middle: Vector3, radius: number): void {
-    const up = (FIELD_OF_VIEW * Math.PI) / 360;
-    const half = Math.min(up, Math.atan(Math.tan(up) * this.camera.aspect));
+  /** Looks at the middle of a box from so far away that all of it is in the picture. */
+  show(low: Vector3, high: Vector3): void {
+    const tall = Math.tan((FIELD_OF_VIEW * Math.PI) / 360), wide = tall * this.camera.aspect;
+    const right = new Vector3().crossVectors(this.camera.up, FROM).normalize();
+    const up = new Vector3().crossVectors(FROM, right);
+    const middle = low.clone().add(high).multiplyScalar(0.5);
+    let distance = 0;
+    for (let corner = 0; corner < 8; corner++) {
+      this.step.set(corner & 1 ? low.x : high.x, corner & 2 ? low.y : high.y, corner & 4 ? low.z : high.z).sub(middle);
+      const needed = Math.max(Math.abs(this.step.dot(right)) / wide, Math.abs(this.step.dot(up)) / tall);
+      distance = Math.max(distance, MARGIN * needed + this.step.dot(FROM));
+    }
     this.controls.target.copy(middle);
-    this.camera.position.copy(middle).addScaledVector(FROM, (MARGIN * radius) / Math.sin(half));
+    this.camera.position.copy(middle).addScaledVector(FROM, distance);
     this.controls.update();
   }
 

@@ -95,11 +95,11 @@ export class Stage implements World {
     this.painter = byMaterial(recording.placed);
     this.assemble();
     this.setTheme("light");
-    this.frameAll();
     this.rig.controls.addEventListener("change", () => this.redraw());
     recording.onGrowth(() => this.redraw());
     new ResizeObserver(() => this.resized()).observe(this.canvas);
     this.resize();
+    this.frameAll();
   }
 
   get camera(): Camera {
@@ -150,9 +150,8 @@ export class Stage implements World {
 
   frameAll(): void {
     const box = sceneBox(this.recording, this.radii);
-    const [x, y, z] = middleOf(box);
     this.follow(null);
-    this.rig.show(this.toView(x, y, z, this.place), diagonal(box) / this.unit / 2);
+    this.rig.show(this.toView(...box.low, new Vector3()), this.toView(...box.high, new Vector3()));
     this.redraw();
   }
 
