@@ -239,6 +239,24 @@ def test_a_chain_of_100_links_swings_and_cracks(last, scheme):
     assert abs(books["residual"]) < 1e-3 * max(flowed, 490.0)
 
 
+@pytest.mark.parametrize(
+    ("scheme", "within"), [("semi_implicit_euler", 0.006), ("velocity_verlet", 0.006), ("rk4", 0.002)]
+)
+def test_a_whip_cracks_in_coarse_steps(scheme, within):
+    """At 1/240 s its end turns by a radian in a step: no joint impulses close such a step, and it is divided.
+
+    Before, links came apart by 0.3 m and half of the energy went. Measured: 2e-13 m; the books miss 0.21 %,
+    0.19 %, 0.05 % of the 490 J that fall.
+    """
+    world = chain(100, 0.1, scheme, timestep=1 / 240)
+    joint_error = 0.0
+    for _ in range(24):
+        world.run(0.1)
+        joint_error = max(joint_error, world.worst_violation()[0])
+        assert abs(world.books()["residual"]) < within * 490.0
+    assert joint_error < 1e-12
+
+
 @pytest.mark.parametrize(("upper", "lower"), [(1000.0, 1.0), (1.0, 1000.0)])
 def test_mass_ratios_of_a_double_pendulum(upper, lower):
     """1 : 1000 both ways, against Lagrange's equations of two points (Landau & Lifshitz, sec. 5). Measured

@@ -8,6 +8,7 @@ use crate::mover::Twist;
 use crate::paths::Paths;
 use crate::profile::Moment;
 
+use super::divide::Mark;
 use super::runge_kutta::Stage;
 
 /// What is seen from inside a step is this part of it away from its ends.
@@ -23,6 +24,7 @@ pub struct Scratch {
     pub(super) values: Vec<f64>,
     pub(super) missing: Vec<f64>,
     pub(super) shifts: Vec<Twist>,
+    pub(super) marks: Vec<Mark>,
 }
 
 /// Everything that an integrator asks while it moves bodies.
@@ -47,6 +49,8 @@ pub struct Dynamics<'a> {
     pub work: Powers,
     /// Kinetic and potential energy that moving onto the constraints added [J].
     pub stabilization: f64,
+    /// Joints were closed at the end of every drift and projection so far.
+    pub closed: bool,
     /// Impulses of the bilateral rows in this step [N s or N m s].
     pub reactions: &'a mut Vec<f64>,
     /// Working memory.

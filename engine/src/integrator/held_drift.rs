@@ -13,6 +13,8 @@ const ROUNDS: usize = 60;
 const GAIN: f64 = 0.7;
 /// Joints are held to this [m or rad]: rounding of coordinates of some metres.
 const HELD: f64 = 1e-14;
+/// What is left of an error is too much when it is more than this part of the largest coordinate, or of a metre.
+const OPEN: f64 = 1e-11;
 
 impl Dynamics<'_> {
     /// x += v h and the rotation that goes with the angular momentum; the joint impulses J(x)^T y that act before it are
@@ -53,6 +55,7 @@ impl Dynamics<'_> {
         starts.extend(bodies.iter().map(|b| b.state));
         let mut missing = std::mem::take(&mut self.scratch.missing);
         let mut error = f64::INFINITY;
+        let mut left = 0.0;
         for round in 0..ROUNDS {
             for (k, body) in bodies.iter_mut().enumerate() {
                 if round == 0 || self.articulation.home(k).is_some() {
@@ -60,18 +63,13 @@ impl Dynamics<'_> {
                 }
             }
             self.place_prescribed(bodies, 1.0);
-            self.joints.values(bodies, &mut missing);
-            let mut worst = 0.0_f64;
-            for (value, want) in missing.iter_mut().zip(wanted) {
-                *value = want - *value;
-                worst = worst.max(value.abs());
-                *value /= h;
-            }
+            left = self.joints.errors(bodies, wanted, &mut missing);
             // The last round ends with a drift: bodies must not be left where they were.
-            if worst <= HELD || worst > GAIN * error || round + 1 == ROUNDS {
+            if left <= HELD || left > GAIN * error || round + 1 == ROUNDS {
                 break;
             }
-            error = worst;
+            error = left;
+            missing.iter_mut().for_each(|m| *m /= h);
             for (k, body) in bodies.iter_mut().enumerate() {
                 if self.articulation.home(k).is_some() {
                     body.state.position = starts[k].position;
@@ -81,6 +79,7 @@ impl Dynamics<'_> {
             }
             self.articulation.kick(bodies, &missing);
         }
+        self.closed &= left <= OPEN * size(bodies);
         self.scratch.missing = missing;
         self.scratch.states = starts;
     }
@@ -116,10 +115,11 @@ impl Dynamics<'_> {
     /// Bodies back to where their rows have the values `wanted`.
     pub(super) fn restore_positions(&mut self, bodies: &mut [Body], wanted: &[f64]) {
         let before = self.forces.potential(bodies).total() + self.joints.spring_energy(bodies);
-        if self
+        let restored = self
             .articulation
-            .restore(self.joints, bodies, wanted, self.scratch)
-        {
+            .restore(self.joints, bodies, wanted, self.scratch);
+        self.closed &= restored.left <= OPEN * size(bodies);
+        if restored.moved {
             let after = self.forces.potential(bodies).total() + self.joints.spring_energy(bodies);
             self.stabilization += after - before;
         }
@@ -128,28 +128,23 @@ impl Dynamics<'_> {
 
 impl Articulation {
     /// Bodies move along M^-1 J^T until their rows have the values `wanted`; momenta turn along, so that the kinetic
-    /// energy stays. Returns false when nothing was to be done.
+    /// energy stays.
     pub fn restore(
         &mut self,
         joints: &Joints,
         bodies: &mut [Body],
         wanted: &[f64],
         scratch: &mut Scratch,
-    ) -> bool {
+    ) -> Restored {
         let mut error = f64::INFINITY;
-        let mut moved = false;
+        let mut restored = Restored::default();
         for _ in 0..ROUNDS {
-            joints.values(bodies, &mut scratch.missing);
-            let mut worst = 0.0_f64;
-            for (value, want) in scratch.missing.iter_mut().zip(wanted) {
-                *value = want - *value;
-                worst = worst.max(value.abs());
-            }
-            if worst <= 10.0 * HELD || worst > 0.5 * error {
+            restored.left = joints.errors(bodies, wanted, &mut scratch.missing);
+            if restored.left <= 10.0 * HELD || restored.left > 0.5 * error {
                 break;
             }
-            error = worst;
-            moved = true;
+            error = restored.left;
+            restored.moved = true;
             self.load_bilateral(joints, bodies);
             self.clear_impulses();
             self.displacements(&scratch.missing, &mut scratch.shifts);
@@ -158,8 +153,23 @@ impl Articulation {
                 body.displace(shift.velocity, shift.angular_velocity);
             }
         }
-        moved
+        restored
     }
+}
+
+/// What bringing bodies back came to.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Restored {
+    /// Something was to be done.
+    pub moved: bool,
+    /// Largest error of a row afterwards [m or rad].
+    pub left: f64,
+}
+
+/// The largest coordinate, at least a metre [m]: rounding is a part of it.
+fn size(bodies: &[Body]) -> f64 {
+    let positions = bodies.iter().map(|b| b.state.position.abs().max_element());
+    positions.fold(1.0, f64::max)
 }
 
 /// x += v h, and the rotation that goes with the angular momentum.

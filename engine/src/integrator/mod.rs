@@ -8,6 +8,7 @@
 //! Ryckaert et al. 1977) and make the velocities obey them afterwards (RATTLE, Andersen 1983); the Runge-Kutta schemes
 //! solve for the joint forces in every stage and project positions and velocities at the end.
 
+mod divide;
 mod dynamics;
 mod held_drift;
 mod rotation;
@@ -53,13 +54,13 @@ impl Integrator {
         self != Self::SemiImplicitEuler
     }
 
-    /// Move all bodies over the span of `d`.
+    /// One step of the scheme over the span of `d`, whether its joints can be closed at its end or not.
     ///
     /// Stoermer-Verlet, velocity Verlet and leapfrog are one and the same map written in three ways, also with forces
     /// that depend on the velocity, once all their quantities are brought to whole steps (Hairer, Lubich & Wanner 2003,
     /// "Geometric numerical integration illustrated by the Stoermer-Verlet method", section 1): a kick of half a step, a
     /// drift, a kick of half a step. They run the same code here and give the same numbers.
-    pub fn advance(self, bodies: &mut [Body], d: &mut Dynamics) {
+    fn step(self, bodies: &mut [Body], d: &mut Dynamics) {
         match self {
             Self::ExplicitEuler => runge_kutta::EULER.advance(bodies, d),
             Self::SemiImplicitEuler => symplectic::euler(bodies, d),

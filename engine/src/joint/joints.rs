@@ -156,6 +156,17 @@ impl Joints {
         }
     }
 
+    /// By how much every row is off from the value wanted of it, into `out`; returns the largest [m or rad].
+    pub fn errors(&self, bodies: &[Body], wanted: &[f64], out: &mut Vec<f64>) -> f64 {
+        self.values(bodies, out);
+        let mut largest = 0.0_f64;
+        for (value, want) in out.iter_mut().zip(wanted) {
+            *value = want - *value;
+            largest = largest.max(value.abs());
+        }
+        largest
+    }
+
     /// The values of `rows` alone.
     pub fn values(&self, bodies: &[Body], out: &mut Vec<f64>) {
         out.clear();

@@ -356,6 +356,7 @@ impl World {
             baumgarte: self.settings.stabilization == Stabilization::Baumgarte,
             work: Powers::default(),
             stabilization: 0.0,
+            closed: true,
             reactions: &mut loads.reactions,
             scratch: &mut loads.scratch,
         };
