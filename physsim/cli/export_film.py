@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from physsim.cli.drawing import LOOKS, counted, look_of
-from physsim.cli.export_format import END, FPS, START, Format, Order
+from physsim.cli.export_format import END, FPS, SPEED, START, Format, Order
 from physsim.cli.export_still import measures
 from physsim.cli.verb import Example
 
@@ -21,14 +21,6 @@ if TYPE_CHECKING:
 USUAL_SIZE = {"mp4": (1280, 720), "gif": (480, 300)}
 USUAL_FPS = {"mp4": 30.0, "gif": 20.0}
 FASTEST = 240.0
-
-SPEED = click.Option(
-    ["--speed"],
-    type=click.FloatRange(min=0, min_open=True),
-    default=1.0,
-    metavar="X",
-    help="Simulated seconds in each second of the film: 0.25 is slow motion. Default: 1.",
-)
 
 
 def write_film(

@@ -48,3 +48,10 @@ FPS = click.Option(
     metavar="N",
     help="Frames per second. Default: glb, those of the file; mp4, 30; gif, 20.",
 )
+SPEED = click.Option(
+    ["--speed"],
+    type=click.FloatRange(min=0, min_open=True),
+    default=1.0,
+    metavar="X",
+    help="Simulated seconds in each second that is shown: 0.25 is slow motion. Default: 1.",
+)

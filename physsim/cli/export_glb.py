@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from physsim.cli import output
-from physsim.cli.export_format import END, FPS, START, Format, Order
+from physsim.cli.export_format import END, FPS, SPEED, START, Format, Order
 from physsim.cli.verb import Example
 
 if TYPE_CHECKING:
@@ -29,6 +29,7 @@ def write_scene(
     order: Order,
     *,
     fps: float | None,
+    speed: float,
     start: float | None,
     end: float | None,
     tolerance: float | None,
@@ -41,7 +42,8 @@ def write_scene(
 
     check_name(order.target, force=order.force)
     with open_trajectory(order.file) as trajectory:
-        written = write_gltf(trajectory, order.target, Wishes(start, end, fps, tolerance, camera))
+        wishes = Wishes(start, end, fps, speed, tolerance, camera)
+        written = write_gltf(trajectory, order.target, wishes)
     tell_rounding(written)
     return f"{order.target}: {summary(written)}"
 
@@ -78,7 +80,7 @@ def length(metres: float) -> str:
 GLB = Format(
     names=("glb",),
     write=write_scene,
-    options=(FPS, START, END, TOLERANCE, CAMERA),
+    options=(FPS, SPEED, START, END, TOLERANCE, CAMERA),
     examples=(
         Example(
             "a file for Blender and other 3-D programs: my_scene.glb", "physsim export my_scene.h5 --to glb"

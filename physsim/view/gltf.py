@@ -45,14 +45,16 @@ ROUNDING = 2.0**-24
 
 @dataclass(frozen=True)
 class Wishes:
-    """start, end: of the part to write [s]; fps: poses a second, None: the frames of the file; tolerance [m]:
-    how far any point may be off at any frame, None: 1e-3 of the radius of the smallest body that moves;
-    camera: whether to add a camera that sees everything, and a sun.
+    """start, end: of the part to write [s]; fps: poses in a second that is shown, None: the frames of the
+    file; speed: simulated seconds in a second that is shown; tolerance [m]: how far any point may be off at
+    any frame, None: 1e-3 of the radius of the smallest body that moves; camera: whether to add a camera that
+    sees everything, and a sun.
     """
 
     start: float | None = None
     end: float | None = None
     fps: float | None = None
+    speed: float = 1.0
     tolerance: float | None = None
     camera: bool = False
 
@@ -82,7 +84,7 @@ def write_gltf(trajectory: Trajectory, path: Path, wishes: Wishes) -> Written:
     """
     stage = stage_of(trajectory)
     stage = replace(stage, solids=tuple(solid for solid in stage.solids if solid.shown))
-    clip = clip_of(trajectory, wishes.start, wishes.end, wishes.fps)
+    clip = clip_of(trajectory, wishes.start, wishes.end, wishes.fps and wishes.fps / wishes.speed)
     with whole_file(path) as part, TemporaryFile(dir=path.parent) as chunk:
         return _write(part, stage, clip, wishes, Binary(chunk))
 
@@ -108,9 +110,9 @@ def _write(path: Path, stage: Stage, clip: Clip, wishes: Wishes, binary: Binary)
         )
         nodes += link_nodes(links, link_meshes(links, figures, len(meshes)), held.first)
         cast.append(held)
-    motion = animate(clip, cast, binary, path.parent)
+    motion = animate(clip, cast, wishes.speed, binary, path.parent)
 
-    document = with_root(stage, clip, nodes, tolerance) | figures.document() | motion.document()
+    document = with_root(stage, clip, nodes, wishes.speed, tolerance) | figures.document() | motion.document()
     size = write_glb(path, with_camera(document, low, high) if wishes.camera else document, binary)
     return Written(
         size=size,
@@ -145,7 +147,9 @@ def on_ground(
     return wide
 
 
-def with_root(stage: Stage, clip: Clip, nodes: Sequence[dict[str, Any]], tolerance: float) -> dict[str, Any]:
+def with_root(
+    stage: Stage, clip: Clip, nodes: Sequence[dict[str, Any]], speed: float, tolerance: float
+) -> dict[str, Any]:
     """The document of the nodes, all that are nobody's children under one node with the title."""
     title = stage.title or clip.trajectory.path.stem
     children = {child for node in nodes for child in node.get("children", ())}
@@ -156,6 +160,7 @@ def with_root(stage: Stage, clip: Clip, nodes: Sequence[dict[str, Any]], toleran
         "physsim_version": version,
         "start": float(clip.times[0]),
         "end": float(clip.times[-1]),
+        "speed": speed,
         "tolerance": tolerance,
     }
     return {

@@ -134,9 +134,11 @@ class Animation:
         return self._known[key]
 
 
-def clock(times: FloatArray) -> FloatArray:
-    """Seconds since the first. Raises FileTrouble when 32 bits, all that glTF has, cannot tell two apart."""
-    since: FloatArray = times - times[0]
+def clock(times: FloatArray, speed: float) -> FloatArray:
+    """Seconds since the first at which they are shown. Raises FileTrouble when 32 bits, all that glTF has,
+    cannot tell two apart.
+    """
+    since: FloatArray = (times - times[0]) / speed
     if (np.diff(since.astype(np.float32)) <= 0).any():
         raise FileTrouble(
             "the frames are too close together for the 32-bit times of glTF; --fps, --from or --until helps"
@@ -144,12 +146,12 @@ def clock(times: FloatArray) -> FloatArray:
     return since
 
 
-def animate(clip: Clip, movers: Sequence[Mover], binary: Binary, folder: Path) -> Animation:
-    """Adds the motion of the movers; a node that does not do something has no channel for it.
+def animate(clip: Clip, movers: Sequence[Mover], speed: float, binary: Binary, folder: Path) -> Animation:
+    """Adds the motion of the movers at a speed; a node that does not do something has no channel for it.
 
     folder: where samples wait that do not fit into memory.
     """
-    animation = Animation(clock(clip.times), binary)
+    animation = Animation(clock(clip.times, speed), binary)
     with ExitStack() as stack:
         spools = [
             [

@@ -140,6 +140,7 @@ def test_a_node_for_each_body_under_one_with_the_title(folder: Path, trajectory:
         "physsim_version": physsim.__version__,
         "start": 0.0,
         "end": 1.2,
+        "speed": 1.0,
         "tolerance": pytest.approx(1e-3 * SMALLEST, rel=1e-6),
     }
 
@@ -232,6 +233,20 @@ def test_other_rates_lie_between_frames(folder: Path, trajectory: Trajectory, fp
         expected = [np.interp(step / fps, trajectory.time, box.position[:, axis]) for axis in range(3)]
         np.testing.assert_allclose(position, expected, atol=5e-7)  # measured 3.4e-7
         assert (turns(step / fps).inv() * orientation).magnitude() < 4e-6  # measured 1.9e-6
+
+
+def test_slow_motion(folder: Path, trajectory: Trajectory) -> None:
+    """At a quarter of the speed 30 frames of each shown second are 120 of a simulated one."""
+    glb = exported(folder, "--speed", "0.25", "--fps", "30", "--tolerance", "0")
+    assert {times[-1] for times, _ in glb.tracks.values()} == {np.float32(4.8)}
+    assert max(len(times) for times, _ in glb.tracks.values()) == 4.8 * 30 + 1
+    ball = trajectory.body("ball")
+    for frame in range(0, 241, 10):
+        shown = trajectory.time[frame] / 0.25
+        np.testing.assert_allclose(pose(glb, "ball", shown)[0], ball.position[frame], atol=1e-6)
+    plain = exported(folder, "--speed", "0.25", "--tolerance", "0")
+    assert max(len(times) for times, _ in plain.tracks.values()) == 241
+    assert plain.document["asset"]["extras"]["speed"] == 0.25
 
 
 @pytest.mark.parametrize("words", [(), ("--fps", "77"), ("--fps", "777"), ("--tolerance", "0")])
