@@ -37,6 +37,8 @@ export interface GroundColours {
 
 export class Ground {
   readonly group = new Group();
+  /** Side of a cell of the grid [m]. */
+  readonly cell: number;
   /** Floors and walls, to be picked: `userData.body` says whose they are. */
   readonly surfaces: Object3D[] = [];
   private readonly floor = new MeshLambertMaterial({ side: FrontSide });
@@ -55,10 +57,11 @@ export class Ground {
       this.add(placed, plane, isFloor, radius);
       if (isFloor && (!lowest || plane.point.z < lowest.point.z)) lowest = plane;
     }
-    this.grid = gridOf(frame, radius, this.lines);
+    this.cell = cellSize((2 * radius * frame.unit) / CELLS);
+    this.grid = gridOf(this.cell / frame.unit, radius, this.lines);
     const at = lowest ?? { point: new Vector3(0, 0, bottom), turn: new Quaternion(), normal: new Vector3(0, 0, 1) };
     this.grid.quaternion.copy(at.turn);
-    this.grid.position.copy(snapped(at, frame, radius)).addScaledVector(at.normal, 0.0008 * radius);
+    this.grid.position.copy(snapped(at, frame, this.cell / frame.unit)).addScaledVector(at.normal, 0.0008 * radius);
     this.grid.renderOrder = 1;
     this.group.add(this.grid);
   }
@@ -122,19 +125,16 @@ export function cellSize(metres: number): number {
   return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
 }
 
-/** Moved within its plane so that its lines are at whole cells from the world's origin. */
-function snapped(plane: Plane, frame: Frame, radius: number): Vector3 {
-  const cell = cellSize((2 * radius * frame.unit) / CELLS);
+/** Moved within its plane so that its lines are at whole cells, of this side in view units, from the world's origin. */
+function snapped(plane: Plane, frame: Frame, side: number): Vector3 {
   const back = plane.turn.clone().invert();
   const toOrigin = new Vector3(...frame.origin).multiplyScalar(-1 / frame.unit).sub(plane.point).applyQuaternion(back);
-  const side = cell / frame.unit;
   const shift = new Vector3(toOrigin.x - side * Math.round(toOrigin.x / side), toOrigin.y - side * Math.round(toOrigin.y / side), 0);
   return shift.applyQuaternion(plane.turn).add(plane.point);
 }
 
 /** Lines that fade out with the distance from the middle. */
-function gridOf(frame: Frame, radius: number, material: LineBasicMaterial): LineSegments {
-  const side = cellSize((2 * radius * frame.unit) / CELLS) / frame.unit;
+function gridOf(side: number, radius: number, material: LineBasicMaterial): LineSegments {
   const lines = Math.ceil((REACH * radius) / side);
   const points: number[] = [], colours: number[] = [];
   const put = (x: number, y: number): void => {

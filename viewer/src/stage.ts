@@ -165,6 +165,10 @@ export class Stage implements World {
     this.redraw();
   }
 
+  get gridCell(): number {
+    return this.ground.cell;
+  }
+
   setGrid(shown: boolean): void {
     this.ground.setGrid(shown);
     this.redraw();

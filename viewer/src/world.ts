@@ -54,6 +54,8 @@ export interface World {
   frameAll(): void;
   /** Wireframes of what stands for the bodies in contacts. */
   setCollisionShapes(shown: boolean): void;
+  /** Side of a cell of the grid [m]; its lines are at whole cells from the world's origin. */
+  readonly gridCell: number;
   setGrid(shown: boolean): void;
   setShadows(wanted: boolean): void;
   setTheme(theme: Theme): void;

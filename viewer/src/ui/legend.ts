@@ -34,7 +34,9 @@ export class Legend {
   ) {
     this.scale.append(this.bar, this.length);
     this.scale.title = "Length at the point that the camera turns about";
-    this.element.append(this.colours, this.forces, this.scale);
+    const cell = element("div", { class: "row" }, element("span", { class: "sign cell" }), `grid: ${inMetres(world.gridCell)}`);
+    this.element.append(this.colours, this.forces, cell, this.scale);
+    store.watch(["grid"], () => (cell.hidden = !store.now.grid));
     store.watch(["colouring"], () => this.printColours());
     store.watch(["contacts", "arrowSize"], () => this.printForces());
     world.onFrame(() => this.measure());
