@@ -60,7 +60,7 @@ class Show:
         )
         self._start = positions[0]
         self.setting = self._setting(positions, orientations)
-        self.camera = placed(look.view, self.setting, look.size)
+        self.camera = placed(self._view(), self.setting, look.size)
         self._signs = Signs(self.stage, self.setting, self._painter.boxes, positions[0], orientations[0])
         self._largest = self._largest_force(span) if "contacts" in look.signs else 0.0
         self._way = self._ways(span) if "trails" in look.signs else None
@@ -93,6 +93,14 @@ class Show:
         around = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-0.6, 0.6)])
         return replace(found, points=self._start[self._followed] + reach / 2 * around)
 
+    def _view(self) -> View:
+        """A camera that follows a body looks at it."""
+        view = self.look.view
+        if self._followed is None or view.target is not None:
+            return view
+        x, y, z = self._start[self._followed]
+        return replace(view, target=(float(x), float(y), float(z)))
+
     def _moved(self, positions: FloatArray) -> tuple[Camera, Setting]:
         if self._followed is None:
             return self.camera, self.setting
@@ -122,12 +130,16 @@ class Show:
 
     def _contacts(self, time: float) -> tuple[FloatArray, FloatArray]:
         """Points (n, 3) and forces (n, 3) of the frame nearest to a time, the strongest of them; on
-        the body that moves.
+        the body that moves, of two that move on the one that is pushed up.
         """
         frame = self.trajectory.frame_at(time)
-        table = self.trajectory.contact_rows(frame, frame + 1, ("position", "force", "body_a"), by_name=False)
+        table = self.trajectory.contact_rows(
+            frame, frame + 1, ("position", "force", "body_a", "body_b"), by_name=False
+        )
         fixed = np.array([actor.fixed for actor in self.stage.actors])
-        forces = np.where(fixed[table["body_a"]][:, None], -table["force"], table["force"])
+        a, b = fixed[table["body_a"]], fixed[table["body_b"]]
+        on_other = a | (~b & (table["force"][:, 2] < 0))
+        forces = np.where(on_other[:, None], -table["force"], table["force"])
         strongest = np.argsort(-np.linalg.norm(forces, axis=1), kind="stable")[:MOST_ARROWS]
         return table["position"][strongest], forces[strongest]
 

@@ -14,7 +14,7 @@ from physsim.view.things import Extra, Finish
 
 SPRING, STRING, JOINT, FORCE = linear("#3c4650"), linear("#6b5a45"), linear("#aa3377"), linear("#e8590c")
 AXES = (linear("#d62728"), linear("#2ca02c"), linear("#1f77b4"))
-COIL, WIRE, ROPE, PIN, SHAFT, TRAIL = 0.016, 0.0024, 0.0026, 0.006, 0.0028, 0.0014
+COIL, WIRE, ROPE, PIN, SHAFT, TRAIL = 0.016, 0.0024, 0.0026, 0.006, 0.0042, 0.0014
 """Radii of coils, their wire, strings, pins, arrows and trails, over the size of the setting."""
 LONGEST_FORCE = 0.22
 """The largest contact force is drawn with this length, over the size of the setting."""
