@@ -112,7 +112,7 @@ def test_the_page_follows_the_run_until_somebody_looks_back(offer, look) -> None
     assert page.locator("img").count() == 0
     offered.feed.end("failed", "it blew up")
     pill(page, "The run failed")
-    assert page.evaluate("physsim.state().playing") is False
+    wait(page, "!physsim.state().playing")
     page.evaluate("(physsim.seek(0), physsim.play())")
     wait(page, "physsim.state().time > 0.2")
 
@@ -148,7 +148,8 @@ def test_at_the_end_the_page_has_the_whole_recording(offer, look, tmp_path: Path
     with physsim.run(tmp_path / "scene.yaml", output=tmp_path / "run.h5", onlooker=held_up) as trajectory:
         (page,) = pages
         pill(page, "The run is complete")
-        assert await_frames(page, 401)["playing"] is False
+        await_frames(page, 401)
+        wait(page, "!physsim.state().playing")
         page.evaluate("(physsim.select('ball'), physsim.seek(0.123))")
         state = page.evaluate("physsim.state()")
         ball = trajectory.body("ball")
