@@ -28,8 +28,8 @@ test("an interval with air is never empty", () => {
 });
 
 test("the range leaves out what is not a number", () => {
-  assert.deepEqual(range([Float64Array.of(NaN, 3, -2, Infinity)], 4), [-2, 3]);
-  assert.ok(Number.isNaN(range([], 4)[0]));
+  assert.deepEqual(range([Float64Array.of(NaN, 3, -2, Infinity)], 0, 4), [-2, 3]);
+  assert.ok(Number.isNaN(range([], 0, 4)[0]));
 });
 
 test("the nearest frame of times that rise unevenly", () => {

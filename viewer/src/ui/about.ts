@@ -32,7 +32,7 @@ export class Badge {
 }
 
 export class AboutPanel {
-  readonly element = element("div", { class: "about" });
+  readonly element = element("div", { class: "about", tabindex: 0 });
 
   private readonly drawing = element("dd", {});
 

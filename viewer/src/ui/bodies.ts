@@ -3,7 +3,7 @@
 import type { Player } from "../player";
 import type { Recording } from "../recording";
 import { BodyCard } from "./body_card";
-import { button, element } from "./dom";
+import { element, textButton } from "./dom";
 import { LinkCard } from "./link_card";
 import { paced } from "./pace";
 import type { Selection, Subject } from "./selection";
@@ -50,7 +50,7 @@ export class Bodies {
     if (subject !== this.shown || !this.element.firstChild) {
       this.shown = subject;
       this.card = subject && this.cardOf(subject);
-      const back = button("Back to the list", "‹ All bodies", "Escape", () => this.selection.select(null));
+      const back = textButton(() => this.selection.select(null), "‹ All bodies");
       back.className = "back";
       const hadFocus = this.element.contains(document.activeElement);
       this.element.replaceChildren(...(this.card ? [back, this.card.element] : [this.list]));
@@ -91,8 +91,7 @@ export class Bodies {
       : `${subject.link.kind} ${subject.what}`;
     const swatch = element("span", { class: `swatch ${subject.what}` });
     if (subject.what === "body") swatch.style.setProperty("--swatch", subject.body.colour);
-    const made = element("button", { type: "button" }, swatch, element("span", {}, name), element("span", { class: "unit" }, more));
-    made.addEventListener("click", () => this.selection.select(subject));
-    return made;
+    const select = (): void => this.selection.select(subject);
+    return textButton(select, swatch, element("span", {}, name), element("span", { class: "unit" }, more));
   }
 }

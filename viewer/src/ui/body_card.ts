@@ -2,7 +2,7 @@
 
 import type { Player } from "../player";
 import type { Body, Contacts, Link, Recording } from "../recording";
-import { button, element, icon, setText } from "./dom";
+import { button, element, icon, setText, textButton } from "./dom";
 import { count, exact, quantity } from "./format";
 import { FOLLOW } from "./icons";
 import { emptyNumbers, readBody, turnInWords, type BodyNumbers } from "./numbers";
@@ -113,9 +113,8 @@ export class BodyCard {
   private linkButton(what: "joint" | "spring", link: Link): HTMLButtonElement {
     const other = link.bodies[0] === this.body.index ? link.bodies[1] : link.bodies[0];
     const partner = this.recording.bodies[other]?.name ?? "world";
-    const made = button(`${what} ${link.name}`, link.name, "", () => this.selection.select({ what, link }));
-    made.append(element("span", { class: "unit" }, `${link.kind}, to ${partner}`));
-    return made;
+    const note = element("span", { class: "unit" }, `${link.kind}, to ${partner}`);
+    return textButton(() => this.selection.select({ what, link }), element("span", {}, link.name), note);
   }
 }
 

@@ -10,9 +10,14 @@ export interface Window {
   y: (value: number) => number;
 }
 
-/** Traces `values` into the current path: of every column of pixels the first, lowest, highest and last. NaN breaks. */
+/** With more frames to a pixel than this, columns of pixels are drawn in place of frames. */
+const CROWDED = 4;
+
+/** Traces `values` into the current path: every frame, or where they are crowded the first, lowest, highest and last
+ *  of every column of pixels. NaN breaks. */
 export function trace(context: CanvasRenderingContext2D, view: Window, values: Float64Array): void {
   const { times, frames, x, y } = view;
+  const crowded = frames > CROWDED * (x(times[frames - 1]) - x(times[0]));
   let column = NaN;
   let open = false;
   let low = 0;
@@ -26,7 +31,7 @@ export function trace(context: CanvasRenderingContext2D, view: Window, values: F
       open = false;
       continue;
     }
-    if (open && Math.floor(at) === Math.floor(column)) {
+    if (crowded && open && Math.floor(at) === Math.floor(column)) {
       low = Math.min(low, value);
       high = Math.max(high, value);
       last = value;
@@ -54,12 +59,13 @@ function close(
   context.lineTo(x, y(last));
 }
 
-/** Lowest and highest of several rows of numbers, NaN and infinities aside; [NaN, NaN] when there are none. */
-export function range(rows: readonly Float64Array[], frames: number): [number, number] {
+/** Lowest and highest of several rows of numbers from one frame to before another; [NaN, NaN] when there are none.
+ *  NaN and infinities do not count. */
+export function range(rows: readonly Float64Array[], from: number, to: number): [number, number] {
   let low = NaN;
   let high = NaN;
   for (const row of rows) {
-    for (let frame = 0; frame < Math.min(frames, row.length); frame++) {
+    for (let frame = from; frame < Math.min(to, row.length); frame++) {
       const value = row[frame];
       if (!Number.isFinite(value)) continue;
       if (!(value >= low)) low = value;

@@ -53,6 +53,13 @@ export function svgLine(width: number, height: number, colour: string, dash: rea
   return svg;
 }
 
+/** A button that its own text names. */
+export function textButton(act: () => void, ...children: Child[]): HTMLButtonElement {
+  const made = element("button", { type: "button" }, ...children);
+  made.addEventListener("click", act);
+  return made;
+}
+
 /** A button with an icon, a name for those who do not see it, and the key that does the same. */
 export function button(name: string, content: Child, key: string, act: () => void): HTMLButtonElement {
   const title = key ? `${name} (${key})` : name;

@@ -10,6 +10,7 @@ const POINTER = [
   ["wheel, pinch", "nearer, farther"],
   ["click, tap on a body", "select it; on nothing: deselect"],
   ["click in a plot", "go to that time"],
+  ["Ctrl + wheel, pinch in a plot", "zoom in time; double click: all"],
 ] as const;
 
 const GROUPS = ["Play", "View", "Show", "Panels"] as const;

@@ -10,6 +10,7 @@ import { BodyFrames, WorldAxes } from "./draw/axes";
 import { CenterDrawing } from "./draw/centers";
 import { ContactDrawing } from "./draw/contacts";
 import { JointDrawing } from "./draw/joints";
+import { SelectedLinkDrawing } from "./draw/selected_link";
 import { SpringDrawing } from "./draw/springs";
 import { TrailDrawing } from "./draw/trails";
 import { help } from "./help";
@@ -89,6 +90,7 @@ function draw({ recording, world, root }: App, store: Store, selection: Selectio
   new WorldAxes(world, store);
   new BodyFrames(recording, world, store);
   new CenterDrawing(recording, world, store);
+  new SelectedLinkDrawing(recording, world, selection);
   new Labels(root, recording, world, store);
   return new ContactDrawing(recording, world, store, selection);
 }

@@ -2,7 +2,7 @@
 
 import type { Player } from "../player";
 import { WORLD, type Link, type Recording, type Track } from "../recording";
-import { button, element } from "./dom";
+import { element, textButton } from "./dom";
 import { interpolated } from "./numbers";
 import { Reading } from "./reading";
 import type { Selection } from "./selection";
@@ -64,6 +64,6 @@ export class LinkCard {
   private end(body: number, selection: Selection): Node {
     const name = body === WORLD ? "world" : this.recording.bodies[body].name;
     if (body === WORLD) return element("span", {}, name);
-    return button(`Body ${name}`, name, "", () => selection.selectBody(body));
+    return textButton(() => selection.selectBody(body), name);
   }
 }

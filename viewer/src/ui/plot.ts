@@ -24,6 +24,8 @@ interface Box {
 }
 
 const MARGIN = { top: 22, right: 12, bottom: 32 };
+/** A plot shows no shorter time than so many frames take. */
+const LEAST_FRAMES = 4;
 const FONT = "11px system-ui, sans-serif";
 
 export class Plot {
@@ -40,6 +42,8 @@ export class Plot {
   private hover: number | null = null;
   private box: Box = { left: 50, top: MARGIN.top, right: 100, bottom: 100 };
   private across: [number, number] = [0, 1];
+  /** The times that somebody zoomed to, null: all. */
+  private zoomed: [number, number] | null = null;
   private upright: [number, number] = [0, 1];
   /** As of the last drawing: to ask for it costs layout. */
   private ink: Ink = { text: "", faint: "", rule: "", accent: "", dark: false };
@@ -70,12 +74,35 @@ export class Plot {
     if (!context) return;
     const shown = this.lines.filter((line) => line.shown);
     this.ink = inkOf(this.element);
-    this.across = [this.times[0] ?? 0, this.times[this.frames - 1] ?? 1];
-    if (!(this.across[1] > this.across[0])) this.across[1] = this.across[0] + 1;
-    this.upright = withAir(...range(shown.map((line) => line.values), this.frames));
+    this.across = this.zoomed ?? this.whole();
+    this.upright = withAir(...this.heights(shown));
     this.drawAxes(context, shown[0]?.unit ?? "");
     this.drawLines(context, shown);
     this.drawCursor();
+  }
+
+  private whole(): [number, number] {
+    const start = this.times[0] ?? 0;
+    const end = this.times[this.frames - 1] ?? 1;
+    return [start, end > start ? end : start + 1];
+  }
+
+  /** Lowest and highest of what is seen. */
+  private heights(shown: readonly Line[]): [number, number] {
+    const rows = shown.map((line) => line.values);
+    if (!this.zoomed) return range(rows, 0, this.frames);
+    const [from, to] = this.zoomed.map((time) => nearestFrame(this.times, this.frames, time));
+    return range(rows, from, to + 1);
+  }
+
+  /** Nearer by a factor about a time that stays where it is; all when that is more than there is. */
+  private zoom(time: number, factor: number): void {
+    const [start, end] = this.whole();
+    const from = Math.max(start, time - (time - this.across[0]) * factor);
+    const to = Math.min(end, time + (this.across[1] - time) * factor);
+    if (to - from < LEAST_FRAMES * ((end - start) / this.frames)) return;
+    this.zoomed = from <= start && to >= end ? null : [from, to];
+    this.draw();
   }
 
   private drawAxes(context: CanvasRenderingContext2D, unit: string): void {
@@ -141,8 +168,13 @@ export class Plot {
   private drawCursor(): void {
     const context = sized(this.glass, this.element);
     if (!context || !this.frames) return;
+    if (this.time >= this.across[0] && this.time <= this.across[1]) this.drawNow(context);
+    if (this.hover !== null) this.drawHover(context, this.hover);
+  }
+
+  private drawNow(context: CanvasRenderingContext2D): void {
     const { ink } = this;
-    const x = this.x(Math.min(this.across[1], Math.max(this.across[0], this.time)));
+    const x = this.x(this.time);
     context.lineWidth = 1.5;
     line(context, x, this.box.top, x, this.box.bottom, ink.accent);
     context.fillStyle = ink.accent;
@@ -151,10 +183,10 @@ export class Plot {
     context.lineTo(x + 5, this.box.top - 6);
     context.lineTo(x, this.box.top + 1);
     context.fill();
-    if (this.hover !== null) this.drawHover(context, this.hover, ink);
   }
 
-  private drawHover(context: CanvasRenderingContext2D, frame: number, ink: Ink): void {
+  private drawHover(context: CanvasRenderingContext2D, frame: number): void {
+    const { ink } = this;
     const x = this.x(this.times[frame]);
     context.setLineDash([3, 3]);
     line(context, x, this.box.top, x, this.box.bottom, ink.text);
@@ -185,6 +217,12 @@ export class Plot {
     glass.addEventListener("pointerup", () => (dragging = false));
     glass.addEventListener("pointercancel", () => (dragging = false));
     glass.addEventListener("pointerleave", () => this.setHover(null));
+    glass.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey) return;
+      event.preventDefault();
+      this.zoom(this.timeAt(event), Math.exp(0.003 * event.deltaY));
+    }, { passive: false });
+    glass.addEventListener("dblclick", () => this.zoom(this.time, 1e9));
   }
 
   private setHover(time: number | null): void {
@@ -208,7 +246,7 @@ export class Plot {
     this.tip.style.right = onLeft ? `${this.element.clientWidth - x + 10}px` : "auto";
   }
 
-  private timeAt(event: PointerEvent): number {
+  private timeAt(event: MouseEvent): number {
     const at = event.clientX - this.glass.getBoundingClientRect().left;
     const share = (at - this.box.left) / Math.max(1, this.box.right - this.box.left);
     return this.across[0] + Math.min(1, Math.max(0, share)) * (this.across[1] - this.across[0]);

@@ -3,7 +3,7 @@
 import type { Player } from "../player";
 import type { Recording } from "../recording";
 import { energyEntries, entryOf, search, type Entry } from "./catalogue";
-import { element } from "./dom";
+import { element, textButton } from "./dom";
 import { unitInPrint } from "./format";
 import { paced } from "./pace";
 import { PlotCard } from "./plot_card";
@@ -108,14 +108,14 @@ export class Plots {
   }
 
   private result(entry: Entry): HTMLButtonElement {
-    const made = element("button", { type: "button" }, element("span", {}, entry.title),
-      element("span", { class: "unit" }, unitInPrint(entry.unit)));
-    made.addEventListener("mousedown", (event) => event.preventDefault());
-    made.addEventListener("click", () => {
+    const take = (): void => {
       this.results.hidden = true;
       this.field.value = "";
       this.add(entry);
-    });
+    };
+    const made = textButton(take, element("span", {}, entry.title), element("span", { class: "unit" }, unitInPrint(entry.unit)));
+    // Else the field loses the focus before the click, and the list is gone.
+    made.addEventListener("mousedown", (event) => event.preventDefault());
     return made;
   }
 

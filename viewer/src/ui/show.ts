@@ -2,7 +2,7 @@
 
 import type { App } from "../app";
 import type { Recording } from "../recording";
-import { button, element } from "./dom";
+import { element, textButton } from "./dom";
 import type { Settings, Store, Switch } from "./settings";
 import { lookFrom, VIEWPOINTS } from "./viewpoints";
 
@@ -49,9 +49,9 @@ export function showPanel({ recording, world }: App, store: Store): HTMLElement 
   return element(
     "div", { class: "show" },
     element("div", { class: "switches" }, ...SWITCHES.map((row) => switchOf(recording, store, row))),
-    element("h4", {}, "Look from"),
+    element("h3", {}, "Look from"),
     element("div", { class: "viewpoints" }, ...VIEWPOINTS.map((one) =>
-      button(`Look from ${one.name}`, one.name, "", () => lookFrom(world, one)))),
+      textButton(() => lookFrom(world, one), one.name))),
     choice(store, "colouring", "Colours by (V)", COLOURINGS),
     choice(store, "trails", "Trails (T)", TRAILS),
     choice(store, "trailLength", "Length of trails", LENGTHS),
