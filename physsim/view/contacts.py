@@ -145,7 +145,9 @@ def shortened(values: FloatArray, planes: int) -> Codes:
 
 
 def relative_error(planes: int) -> float:
-    """Of each component of a force: half of the last bit that is kept, and the rounding to float32."""
+    """Of each component of a force: half of the last bit that is kept, and the rounding to float32 (it knows
+    no forces below 1e-38 N but 0).
+    """
     kept = _MANTISSA_BITS - (32 - 8 * planes)
     return float(2.0**-kept + (2.0**-_MANTISSA_BITS if planes < 4 else 0))
 
