@@ -38,7 +38,7 @@ FLAGS = (
     "--force-color-profile=srgb",
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
 )
-PATIENCE = 120_000
+PATIENCE = 60_000
 """Milliseconds until something that does not come counts as missing; machines that test are busy ones."""
 
 

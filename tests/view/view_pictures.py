@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import io
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PIL import Image
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
 
 
 def pixels(png: bytes) -> np.ndarray:
@@ -33,3 +37,18 @@ def center_of(picture: np.ndarray, colour: str) -> tuple[float, float]:
     rows, columns = np.nonzero(picture[..., wanted] > 60 + 1.6 * others)
     assert len(rows) > 20, f"nothing {colour} is seen"
     return float(np.median(columns)), float(np.median(rows))
+
+
+def canvas_pixels(page: Page) -> np.ndarray:
+    """The picture of the page without the legend; what is no part of the drawing is made grey."""
+    page.get_by_role("group", name="What the picture means", include_hidden=True).evaluate(
+        "it => { it.style.visibility = 'hidden' }"
+    )
+    whole = pixels(page.screenshot())
+    box = page.locator("canvas").first.bounding_box()
+    assert box is not None
+    inside = np.full_like(whole, 128.0)
+    rows = slice(int(box["y"]), int(box["y"] + box["height"]))
+    columns = slice(int(box["x"]), int(box["x"] + box["width"]))
+    inside[rows, columns] = whole[rows, columns]
+    return inside
