@@ -20,8 +20,9 @@ from view_unpacked import opened_page
 import physsim.view.serve as serving
 from physsim import open_trajectory
 from physsim.cli.app import answer
+from physsim.view.loopback import HOST
 from physsim.view.page import as_json, assembled, page_of
-from physsim.view.serve import HOST, Server
+from physsim.view.serve import Server
 
 SCENE = """
 physsim: 1
