@@ -54,10 +54,14 @@ def live_page(begin: Message) -> bytes:
     return b"".join(assembled(facts["title"] or file.name, head, sections.data, "'self'"))
 
 
-def whole_page(file: Path) -> bytes:
-    """A message with the page of the whole trajectory; nothing when there is none that can be shown."""
+def whole_page(file: Path, frames: int) -> bytes:
+    """A message with the page of the whole trajectory; nothing when the file cannot be shown, or is another
+    one by now.
+    """
     try:
         with open_trajectory(file) as trajectory:
+            if trajectory.frames != frames:
+                return b""
             page = b"".join(page_of(trajectory).parts)
     except FileTrouble:
         return b""

@@ -1,14 +1,11 @@
 """The server of a run that is watched: a process of its own, told by its stdin, looked at by browsers.
 
-It listens on this machine only, under a path that nobody can guess, and answers only requests that name it as
-their host, so that no other web site can reach it under a name of its own (DNS rebinding). It can be asked
-for nothing but the page and the stream of its frames.
+Beyond what `loopback` does to keep others out, it answers only under a path that nobody can guess. It can be
+asked for nothing but the page and the stream of its frames.
 
     /TOKEN/                 the page
     /TOKEN/frames?after=N   messages of `live_wire`: frames later than N as they come, then the end, and then
                             the page of the whole trajectory where frames were left out
-
-Each browser has a thread, which waits for that browser alone.
 """
 
 from __future__ import annotations
@@ -21,101 +18,69 @@ import threading
 from contextlib import suppress
 from functools import partial
 from http import HTTPStatus
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import Any
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import parse_qs
 
 from physsim.view.live_page import live_page, whole_page
 from physsim.view.live_show import Show
 from physsim.view.live_store import caught_up
 from physsim.view.live_wire import Message, encoded, read
+from physsim.view.loopback import HTML, LoopbackHandler, LoopbackServer
 
-HOST = "127.0.0.1"
 # Lower than that of the run, which comes first where processors are few.
 NICENESS = 10
 # When all is told: so long for a page that is on its way or slow.
 LAST_SECONDS = 5.0
 # A stream without frames says so often that it goes on, and finds out whether its reader does.
 SECONDS_BETWEEN_SIGNS = 5.0
-# A reader that takes nothing for so long is gone.
-PATIENCE = 60.0
 
 ALIVE = encoded(Message("alive"))
 LOST = {"status": "failed", "detail": "the run ended without a word", "frames": 0}
-HEADERS = {
-    "Cache-Control": "no-store",
-    "Cross-Origin-Resource-Policy": "same-origin",
-    "Referrer-Policy": "no-referrer",
-    "X-Content-Type-Options": "nosniff",
-    "X-Frame-Options": "DENY",
-}
 
 
-class Server(ThreadingHTTPServer):
+class Server(LoopbackServer):
     """Serves one show under one token."""
-
-    # Two programs may share a port on Windows when this is set; elsewhere it only spares waiting.
-    allow_reuse_address = os.name == "posix"
-    daemon_threads = True
-    block_on_close = False
 
     def __init__(self, port: int, show: Show) -> None:
         """Raises OSError when the port is taken."""
         self.show = show
-        self.token = secrets.token_urlsafe(16)
-        super().__init__((HOST, port), Handler)
+        self.root = f"/{secrets.token_urlsafe(16)}/"
+        super().__init__(port, Handler)
 
     @property
     def address(self) -> str:
         """Where the page is."""
-        return f"http://{HOST}:{self.server_port}/{self.token}/"
-
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """A browser that went away is no news."""
+        return super().address.rstrip("/") + self.root
 
 
-class Handler(BaseHTTPRequestHandler):
+class Handler(LoopbackHandler):
     """One request of a browser."""
 
     server: Server
-    timeout = PATIENCE
-    server_version = "physsim"
-    sys_version = ""
 
-    def do_GET(self) -> None:
+    def answer(self, path: str, query: str) -> None:
         """The page, or the stream of its frames."""
-        port = self.server.server_port
-        asked = urlsplit(self.path)
-        if self.headers.get("Host") not in {f"{HOST}:{port}", f"localhost:{port}"}:
-            self._refuse(HTTPStatus.FORBIDDEN)
-        elif asked.path == f"/{self.server.token}/":
+        if path == self.server.root:
             self._send_page()
-        elif asked.path == f"/{self.server.token}/frames":
-            self._send_frames(_number(asked.query))
+        elif path == self.server.root + "frames":
+            self._send_frames(_number(query))
         else:
-            self._refuse(HTTPStatus.NOT_FOUND)
-
-    def log_message(self, format: str, *args: Any) -> None:
-        """Nobody reads a log of this."""
+            self.refuse(HTTPStatus.NOT_FOUND)
 
     def _send_page(self) -> None:
         page = self.server.show.visit()
         if page is None:
-            self._refuse(HTTPStatus.GONE)
-            return
-        self._start(
-            HTTPStatus.OK, {"Content-Type": "text/html; charset=utf-8", "Content-Length": str(len(page))}
-        )
-        self.wfile.write(page)
+            self.refuse(HTTPStatus.GONE)
+        else:
+            self.send(HTTPStatus.OK, HTML, [page])
 
     def _send_frames(self, after: int) -> None:
         with self.server.show.stream() as room:
-            if not room:
-                self._refuse(HTTPStatus.SERVICE_UNAVAILABLE)
-                return
-            self._start(HTTPStatus.OK, {"Content-Type": "application/octet-stream"})
-            self._follow(after)
+            if room:
+                self.start(HTTPStatus.OK, {"Content-Type": "application/octet-stream"})
+                self._follow(after)
+            else:
+                self.refuse(HTTPStatus.SERVICE_UNAVAILABLE)
 
     def _follow(self, after: int) -> None:
         """All that is kept at first, then what comes, thinner for a reader that falls behind."""
@@ -133,17 +98,6 @@ class Handler(BaseHTTPRequestHandler):
                 self.wfile.write(ALIVE)
             frames, end = store.after(after, SECONDS_BETWEEN_SIGNS)
             frames = caught_up(frames)
-
-    def _refuse(self, status: HTTPStatus) -> None:
-        text = f"{status.value} {status.phrase}\n".encode()
-        self._start(status, {"Content-Type": "text/plain", "Content-Length": str(len(text))})
-        self.wfile.write(text)
-
-    def _start(self, status: HTTPStatus, headers: dict[str, str]) -> None:
-        self.send_response(status)
-        for name, value in (HEADERS | headers).items():
-            self.send_header(name, value)
-        self.end_headers()
 
 
 def _number(query: str) -> int:
@@ -184,8 +138,9 @@ def _listen(show: Show) -> None:
         elif message.kind == "frame":
             show.store.add(message.facts["frame"], data)
         elif message.kind == "end":
-            seen = show.store.has_all(message.facts["frames"])
-            show.finish(data, bytes if seen else partial(whole_page, file))
+            frames = message.facts["frames"]
+            seen = show.store.has_all(frames)
+            show.finish(data, bytes if seen else partial(whole_page, file, frames))
             ended = True
     if not ended:
         show.finish(encoded(Message("end", LOST)), bytes)

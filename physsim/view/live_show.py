@@ -9,7 +9,7 @@ from functools import cache
 
 from physsim.view.live_store import Store
 
-MOST_STREAMS = 32
+MOST_STREAMS = 16
 
 
 class Show:
