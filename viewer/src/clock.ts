@@ -1,6 +1,7 @@
 // The player: simulated time against the time of the wall.
 
 import { MomentFinder } from "./moment";
+import { round125 } from "./round125";
 import type { Moment, Player } from "./player";
 import type { Recording } from "./recording";
 
@@ -9,6 +10,10 @@ const SLOW = 1 / 45;
 const BETWEEN_CALLS = 0.1;
 /** After a pause of the browser (another tab was in front) time goes on from where it stood. */
 const LONGEST_STEP = 0.25;
+
+/** Runs that last so long [s] play in real time at first; shorter and longer ones in about so many seconds. */
+const REAL_TIME = [0.2, 120] as const;
+const SHOWN_IN = 8;
 
 export class Clock implements Player {
   readonly moment: Moment;
@@ -30,6 +35,7 @@ export class Clock implements Player {
   ) {
     this.finder = new MomentFinder(recording);
     this.moment = this.finder.moment;
+    if (!recording.growing) this.speed = firstSpeed(this.end - this.start);
     this.show(this.start);
     recording.onGrowth(() => this.grow());
   }
@@ -134,4 +140,8 @@ export class Clock implements Player {
     this.changed = true;
     this.wake();
   }
+}
+
+function firstSpeed(duration: number): number {
+  return duration === 0 || (duration >= REAL_TIME[0] && duration <= REAL_TIME[1]) ? 1 : round125(duration / SHOWN_IN);
 }

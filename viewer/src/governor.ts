@@ -31,6 +31,8 @@ const TOO_SLOW = 1 / 34;
 const TO_SPARE = 1 / 50;
 const PATIENCE = 0.6;
 const CAUTION = 4;
+/** A level that was too slow is tried again after so many seconds: something else may have kept the machine busy. */
+const FORGET = 20;
 /** Times between pictures that say nothing: another tab was in front, or nothing was drawn for a while. */
 const INTERRUPTED = 0.5;
 /** After a change the first pictures compile shaders and make buffers. */
@@ -41,6 +43,7 @@ export class Governor {
   private readonly best: number;
   private readonly first: number;
   private blocked = LEVELS.length;
+  private sinceBlocked = 0;
   private time = 0;
   private pictures = 0;
   private settling = SETTLING;
@@ -72,6 +75,8 @@ export class Governor {
     }
     this.time += elapsed;
     this.pictures++;
+    this.sinceBlocked += elapsed;
+    if (this.sinceBlocked > FORGET) this.blocked = LEVELS.length;
     const mean = this.time / this.pictures;
     if (this.time > PATIENCE && mean > TOO_SLOW) return this.change(mean > FAR_TOO_SLOW * TOO_SLOW ? 2 : 1);
     if (this.time > CAUTION) {
@@ -87,10 +92,13 @@ export class Governor {
     this.pictures = 0;
   }
 
-  /** A level that was too slow is not tried again. */
+  /** A level that was too slow is not tried again for a while. */
   private change(by: number): boolean {
     const level = Math.min(LEVELS.length - 1, this.level + by);
-    if (by > 0) this.blocked = Math.min(this.blocked, level);
+    if (by > 0) {
+      this.blocked = Math.min(this.blocked, level);
+      this.sinceBlocked = 0;
+    }
     this.restart();
     this.settling = SETTLING;
     const changed = level !== this.level;

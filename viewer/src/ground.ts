@@ -7,6 +7,7 @@ import {
 import type { Moment } from "./player";
 import type { Placed, Recording } from "./recording";
 import { product, turned } from "./rotation";
+import { round125 } from "./round125";
 import type { Frame } from "./batch";
 
 /** A floor reaches so many radii of the scene, and fades out over so many more. Walls are not larger than the scene. */
@@ -57,7 +58,7 @@ export class Ground {
       this.add(placed, plane, isFloor, radius);
       if (isFloor && (!lowest || plane.point.z < lowest.point.z)) lowest = plane;
     }
-    this.cell = cellSize((2 * radius * frame.unit) / CELLS);
+    this.cell = round125((2 * radius * frame.unit) / CELLS);
     this.grid = gridOf(this.cell / frame.unit, radius, this.lines);
     const at = lowest ?? { point: new Vector3(0, 0, bottom), turn: new Quaternion(), normal: new Vector3(0, 0, 1) };
     this.grid.quaternion.copy(at.turn);
@@ -116,13 +117,6 @@ function planeOf(placed: Placed, moment: Moment, frame: Frame): Plane {
   const normal = new Vector3(0, 0, 1).applyQuaternion(turn);
   const distance = normal.dot(new Vector3(p[0], p[1], p[2]));
   return { point: normal.clone().multiplyScalar(distance), turn, normal };
-}
-
-/** The cell side [m]: 1, 2 or 5 times a power of ten. */
-export function cellSize(metres: number): number {
-  const power = 10 ** Math.floor(Math.log10(metres));
-  const lead = metres / power;
-  return power * (lead < 1.5 ? 1 : lead < 3.5 ? 2 : lead < 7.5 ? 5 : 10);
 }
 
 /** Moved within its plane so that its lines are at whole cells, of this side in view units, from the world's origin. */

@@ -8,7 +8,7 @@ import type { Frame } from "./batch";
 
 /** Bodies of a smaller radius, in radii of the scene, get a dot; this many pixels wide. */
 const TOO_SMALL = 0.004;
-const PIXELS = 5;
+const PIXELS = 6;
 
 export class Markers {
   readonly points: Points<BufferGeometry, PointsMaterial>;

@@ -24,9 +24,9 @@ export class MomentFinder {
       time: 0,
       frame: 0,
       fraction: 0,
-      positions: new Float64Array(3 * bodies),
-      orientations: new Float64Array(4 * bodies),
-      velocities: new Float64Array(3 * bodies),
+      positions: new Float64Array(3 * bodies).fill(NaN),
+      orientations: new Float64Array(4 * bodies).fill(NaN),
+      velocities: new Float64Array(3 * bodies).fill(NaN),
     };
   }
 
