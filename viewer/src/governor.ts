@@ -26,7 +26,8 @@ const SOFTWARE_MANY = 5;
 const MANY_SOLIDS = 300;
 /** So much slower than wanted: two levels at once. */
 const FAR_TOO_SLOW = 2;
-/** Pictures that take longer [s] are too slow, on average over `PATIENCE` seconds; shorter ones leave time to spare. */
+/** Pictures that take longer [s] are too slow, on average over `PATIENCE` seconds. When they took less than `TO_SPARE`
+ *  for `CAUTION` seconds there is time to spare. */
 const TOO_SLOW = 1 / 34;
 const TO_SPARE = 1 / 50;
 const PATIENCE = 0.6;
@@ -42,10 +43,12 @@ export class Governor {
   private level: number;
   private readonly best: number;
   private readonly first: number;
-  private blocked = LEVELS.length;
+  /** The lowest level that was too slow, and with it all above it. */
+  private blocked = -1;
   private sinceBlocked = 0;
   private time = 0;
   private pictures = 0;
+  private spare = 0;
   private settling = SETTLING;
 
   /** ratio: pixels of the screen for one of the page; software: whether the processor draws. */
@@ -76,13 +79,17 @@ export class Governor {
     this.time += elapsed;
     this.pictures++;
     this.sinceBlocked += elapsed;
-    if (this.sinceBlocked > FORGET) this.blocked = LEVELS.length;
-    const mean = this.time / this.pictures;
-    if (this.time > PATIENCE && mean > TOO_SLOW) return this.change(mean > FAR_TOO_SLOW * TOO_SLOW ? 2 : 1);
-    if (this.time > CAUTION) {
-      if (mean < TO_SPARE && this.level - 1 >= this.best && this.level - 1 < this.blocked) return this.change(-1);
-      this.restart();
-    }
+    if (this.sinceBlocked > FORGET) this.blocked = -1;
+    return this.time > PATIENCE && this.judge(this.time / this.pictures);
+  }
+
+  /** mean: time that a picture took lately [s]. */
+  private judge(mean: number): boolean {
+    if (mean > TOO_SLOW) return this.change(mean > FAR_TOO_SLOW * TOO_SLOW ? 2 : 1);
+    this.spare = mean < TO_SPARE ? this.spare + this.time : 0;
+    const better = this.level - 1;
+    if (this.spare > CAUTION && better >= this.best && better > this.blocked) return this.change(-1);
+    this.restart();
     return false;
   }
 
@@ -96,10 +103,11 @@ export class Governor {
   private change(by: number): boolean {
     const level = Math.min(LEVELS.length - 1, this.level + by);
     if (by > 0) {
-      this.blocked = Math.min(this.blocked, level);
+      this.blocked = Math.max(this.blocked, level - 1);
       this.sinceBlocked = 0;
     }
     this.restart();
+    this.spare = 0;
     this.settling = SETTLING;
     const changed = level !== this.level;
     this.level = level;

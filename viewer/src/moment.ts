@@ -4,8 +4,10 @@ import type { Moment } from "./player";
 import type { Recording } from "./recording";
 import { between, turned } from "./rotation";
 
-/** A body that moves so close to (v0 + v1) / 2 between two frames moves smoothly; one that was hit does not. */
+/** A body moves smoothly between two frames when its way is so close to that of (v0 + v1) / 2, and when its velocity
+ *  changes at most so many times as much as between the frames before or behind; one that was hit does not. */
 const SMOOTH = 0.1;
+const SUDDEN = 3;
 
 /** A time that is off by this share of the way between two frames means the frame: 0.7 where it is 0.7000000000000001. */
 const NEAR = 1e-9;
@@ -75,7 +77,7 @@ export class MomentFinder {
         for (let k = 0; k < 3; k++) p[3 * end + k] += offset[k];
       }
     }
-    const smooth = isSmooth(p, v, span);
+    const smooth = isSmooth(p, v, span) && this.changesAsBefore(body, frame);
     for (let k = 0; k < 3; k++) {
       moment.velocities[3 * body + k] = v[k] + f * (v[3 + k] - v[k]);
       moment.positions[3 * body + k] = smooth
@@ -86,6 +88,21 @@ export class MomentFinder {
       turned(moment.orientations, 4 * body, center[0], center[1], center[2], offset, 0);
       for (let k = 0; k < 3; k++) moment.positions[3 * body + k] -= offset[k];
     }
+  }
+
+  /** Of the velocity, from this frame to the next, against the frames around them. */
+  private changesAsBefore(body: number, frame: number): boolean {
+    const here = this.change(body, frame);
+    return here <= SUDDEN * Math.max(this.change(body, frame - 1), this.change(body, frame + 1));
+  }
+
+  /** How much the velocity changes from a frame to the next; 0 outside of the recording. */
+  private change(body: number, frame: number): number {
+    const { velocity, frames } = this.recording;
+    if (frame < 0 || frame + 1 >= frames) return 0;
+    let square = 0;
+    for (let k = 0; k < 3; k++) square += (velocity.at(frame + 1, body, k) - velocity.at(frame, body, k)) ** 2;
+    return Math.sqrt(square);
   }
 }
 
