@@ -9,27 +9,13 @@ import h5py
 import numpy as np
 import pytest
 from view_chromium import press, state, until
-from view_pictures import block_means, canvas_pixels, center_of, difference, pixels
+from view_pictures import SETTLED, block_means, canvas_pixels, center_of, difference, pixels, still
 
 if TYPE_CHECKING:
     from playwright.sync_api import Page
 
 Visit = Callable[..., "Page"]
 WIDE = {"width": 1280, "height": 720}
-SETTLED = 300
-"""Milliseconds until a picture that was asked for is there; `still` waits for longer ones."""
-
-
-def still(page: Page) -> np.ndarray:
-    """The picture once two in a row are the same."""
-    before = canvas_pixels(page)
-    for _ in range(50):
-        page.wait_for_timeout(SETTLED)
-        now = canvas_pixels(page)
-        if (now == before).all():
-            return now
-        before = now
-    raise AssertionError("the picture does not come to rest")
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,9 @@ from PIL import Image
 if TYPE_CHECKING:
     from playwright.sync_api import Page
 
+SETTLED = 300
+"""Milliseconds until a picture that was asked for is there; `still` waits for longer ones."""
+
 
 def pixels(png: bytes) -> np.ndarray:
     """(rows, columns, 3) of a picture, 0 to 255."""
@@ -52,3 +55,15 @@ def canvas_pixels(page: Page) -> np.ndarray:
     columns = slice(int(box["x"]), int(box["x"] + box["width"]))
     inside[rows, columns] = whole[rows, columns]
     return inside
+
+
+def still(page: Page) -> np.ndarray:
+    """The picture once two in a row are the same."""
+    before = canvas_pixels(page)
+    for _ in range(50):
+        page.wait_for_timeout(SETTLED)
+        now = canvas_pixels(page)
+        if (now == before).all():
+            return now
+        before = now
+    raise AssertionError("the picture does not come to rest")
