@@ -116,7 +116,13 @@ CAPTION = click.Option(
     metavar="WHAT,...",
     help=f"What is written into it: {', '.join(WRITTEN)}, or none. Default: time and scale.",
 )
-LOOKS = (SIZE, VIEW, LOOK_AT, FOLLOW, SHOW, CAPTION)
+COLOUR = click.Option(
+    ["--colour"],
+    type=click.Choice(("material", "speed")),
+    default="material",
+    help="What the colours of bodies tell: material (default), or speed, from dark to light.",
+)
+LOOKS = (SIZE, VIEW, LOOK_AT, FOLLOW, COLOUR, SHOW, CAPTION)
 
 
 def look_of(
@@ -126,6 +132,7 @@ def look_of(
     view: tuple[float, ...] | None,
     look_at: tuple[float, ...] | None,
     follow: str | None,
+    colour: str,
     show: tuple[str, ...],
     caption: tuple[str, ...],
 ) -> Look:
@@ -145,6 +152,7 @@ def look_of(
         signs=show,
         words=caption,
         follow=follow,
+        by_speed=colour == "speed",
     )
 
 

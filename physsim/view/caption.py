@@ -19,7 +19,7 @@ INK, HALO, FAINT, ALARM, LINK = (33, 41, 54), (255, 255, 255), (92, 102, 114), (
 LETTERS = 1 / 30
 """Height of letters over the height of the picture; never under SMALLEST pixels."""
 SMALLEST = 11
-LONGEST_TITLE = 80
+LONGEST_TEXT = 80
 
 
 @dataclass(frozen=True)
@@ -58,13 +58,14 @@ def captioned(pixels: Pixels, camera: Camera, caption: Caption) -> Any:
         _mark(draw, camera, mark, max(SMALLEST - 1, round(0.75 * size)))
     _write(draw, (edge, height - edge), caption.time, size, anchor="ls", ink=INK)
     _write(draw, (width - edge, height - edge), caption.scale, round(0.8 * size), anchor="rs", ink=FAINT)
-    _write(draw, (edge, edge), _short(caption.title), round(1.1 * size), anchor="lt", ink=INK)
+    _write(draw, (edge, edge), caption.title, round(1.1 * size), anchor="lt", ink=INK)
     return image
 
 
 def _short(text: str) -> str:
+    """In one line, cut where it is too long."""
     plain = " ".join(text.split())
-    return plain if len(plain) <= LONGEST_TITLE else plain[: LONGEST_TITLE - 1] + "…"
+    return plain if len(plain) <= LONGEST_TEXT else plain[: LONGEST_TEXT - 1] + "…"
 
 
 def _write(
@@ -75,7 +76,7 @@ def _write(
     if text:
         draw.text(
             where,
-            text,
+            _short(text),
             font=ImageFont.load_default(size),
             fill=ink,
             anchor=anchor,

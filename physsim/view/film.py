@@ -36,9 +36,9 @@ def film_times(
     is in the span, or the film would be too long.
     """
     start, end = span
-    first = known[0] if start is None else max(start, known[0])
-    last = known[-1] if end is None else min(end, known[-1])
-    if len(known) == 0 or first > last:
+    first = max(-np.inf if start is None else start, known.min(initial=np.inf))
+    last = min(np.inf if end is None else end, known.max(initial=-np.inf))
+    if first > last:
         raise FileTrouble("the trajectory has no frames in that span of time")
     step = speed / float(fps)
     count = int(np.floor((last - first) / step * (1 + 1e-12))) + 1

@@ -64,6 +64,18 @@ def linear(colour: str) -> FloatArray:
     return np.where(part <= 0.04045, part / 12.92, ((part + 0.055) / 1.055) ** 2.4)
 
 
+SLOW_TO_FAST = ("#1f3f75", "#55607c", "#8a887f", "#c4b470", "#fee838")
+"""Colours of speeds, from dark to light for any eye: after "cividis" (Nunez, Anderton, Renslow 2018)."""
+
+
+def of_speeds(speeds: FloatArray, fastest: float) -> FloatArray:
+    """Linear RGB (N, 3) of speeds (N) between 0 and the fastest."""
+    part = np.clip(speeds / max(fastest, 1e-300), 0, 1) * (len(SLOW_TO_FAST) - 1)
+    known = np.array([linear(colour) for colour in SLOW_TO_FAST])
+    steps = np.arange(len(known))
+    return np.stack([np.interp(part, steps, channel) for channel in known.T], axis=1)
+
+
 def told_apart(colour: FloatArray, number: int) -> FloatArray:
     """The colour (3) of the body of that number: bodies of one material differ a little in brightness."""
     return colour * (0.84 + 0.08 * (number * 7 % 5))

@@ -59,15 +59,19 @@ class Painter:
         *,
         extras: Sequence[Extra] = (),
         fine: bool = True,
+        colours: FloatArray | None = None,
     ) -> Pixels:
         """The picture (height, width, 3) of the bodies at positions (N, 3) [m] and orientations (N, 4).
 
         setting: what casts shadows and how large the ground is. fine: as good as can be, for stills.
+        colours (N, 3): linear RGB of bodies, in the place of their materials'.
         """
         turned = rotation_matrices(orientations)[self._body]
         matrices = turned @ self._turn * self._scale
         places = positions[self._body] + np.einsum("nij,nj->ni", turned, self._offset)
         picture = things.rows(self._cast, matrices, places, extras)
+        if colours is not None:
+            picture["colour"][: len(self._body)] = colours[self._body]
         picture |= self._ground(setting, positions, orientations)
         picture |= _seen(camera) | _lit(setting, self._triangles, fine)
         return _engine.draw(picture, threads=os.cpu_count() or 1)

@@ -13,7 +13,7 @@ from physsim.recording.orientation import rotated
 from physsim.view.camera import Camera, View, placed
 from physsim.view.caption import Caption, Mark, captioned
 from physsim.view.clip import Clip
-from physsim.view.light import linear, told_apart
+from physsim.view.light import linear, of_speeds, told_apart
 from physsim.view.painter import Painter, grid_spacing
 from physsim.view.setting import Setting, setting_of
 from physsim.view.signs import Signs
@@ -34,7 +34,8 @@ MOST_TRAILS, TRAIL_POINTS, MOST_ARROWS = 60, 600, 300
 @dataclass(frozen=True)
 class Look:
     """What a user may say of a picture. size: pixels across and down; signs: of `SIGNS`; words: of `WORDS`;
-    follow: a body that the camera keeps up with.
+    follow: a body that the camera keeps up with; by_speed: bodies have the colour of their speed, not of
+    their material.
     """
 
     size: tuple[int, int] = (1280, 720)
@@ -42,6 +43,7 @@ class Look:
     signs: tuple[str, ...] = USUAL_SIGNS
     words: tuple[str, ...] = USUAL_WORDS
     follow: str | None = None
+    by_speed: bool = False
 
 
 class Show:
@@ -63,6 +65,7 @@ class Show:
         self.camera = placed(self._view(), self.setting, look.size)
         self._signs = Signs(self.stage, self.setting, self._painter.boxes, positions[0], orientations[0])
         self._largest = self._largest_force(span) if "contacts" in look.signs else 0.0
+        self._fastest = self._fastest_of(span) if look.by_speed else 0.0
         self._way = self._ways(span) if "trails" in look.signs else None
 
     def pictures(self, times: FloatArray, fine: bool = True) -> Iterator[Any]:
@@ -75,7 +78,15 @@ class Show:
     def _picture(self, time: float, positions: FloatArray, orientations: FloatArray, fine: bool) -> Any:
         camera, setting = self._moved(positions)
         extras = list(self._extras(time, positions, orientations))
-        pixels = self._painter.draw(camera, setting, positions, orientations, extras=extras, fine=fine)
+        pixels = self._painter.draw(
+            camera,
+            setting,
+            positions,
+            orientations,
+            extras=extras,
+            fine=fine,
+            colours=of_speeds(self._speeds(time), self._fastest) if self.look.by_speed else None,
+        )
         return captioned(pixels, camera, self._caption(time, positions, orientations))
 
     def _poses(self, times: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -120,6 +131,15 @@ class Show:
             yield from self._signs.contacts(points, forces, self._largest)
         if "trails" in signs:
             yield from self._trails(time, positions, orientations)
+
+    def _speeds(self, time: float) -> FloatArray:
+        """Of the centres of mass (N) [m/s], at the frame nearest to a time."""
+        velocities = self.trajectory.velocity[self.trajectory.frame_at(time)]
+        return np.asarray(np.linalg.norm(velocities, axis=1))
+
+    def _fastest_of(self, span: tuple[float, float]) -> float:
+        """The largest speed [m/s] of those looked at."""
+        return max(float(self._speeds(time).max(initial=0)) for time in np.linspace(*span, LOOKED_AT))
 
     def _broken(self, time: float) -> frozenset[int]:
         """Numbers of the joints that have broken by then."""
@@ -177,14 +197,21 @@ class Show:
                 return told_apart(linear(solid.colour), body)
         return np.ones(3) / 2
 
+    def _scale(self) -> str:
+        """What lengths on the ground and colours mean."""
+        found = []
+        if self.look.by_speed:
+            found.append(f"dark 0, light {self._fastest:.3g} m/s")
+        if self._painter.grounded:
+            found.append(f"grid {grid_spacing(self.setting):g} m")
+        return ", ".join(found)
+
     def _caption(self, time: float, positions: FloatArray, orientations: FloatArray) -> Caption:
         words = self.look.words
         named = "labels" in self.look.signs
         return Caption(
             time=f"t = {time:.{decimals(self.trajectory)}f} s" if "time" in words else "",
-            scale=f"grid {grid_spacing(self.setting):g} m"
-            if "scale" in words and self._painter.grounded
-            else "",
+            scale=self._scale() if "scale" in words else "",
             title=self.stage.title if "title" in words else "",
             marks=tuple(labels(self.stage.actors, positions, orientations)) if named else (),
         )

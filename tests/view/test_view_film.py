@@ -187,6 +187,18 @@ def test_words_and_signs_change_the_picture(export: Call) -> None:
     assert not changed["contacts"].any()  # it touches nothing
 
 
+def test_a_faster_ball_is_lighter(export: Call) -> None:
+    """At rest at the start, fastest at the end."""
+    assert export("--to", "png", "--at", "0,0.25,0.5", "--colour", "speed", *BARE)[0] == 0
+    light = []
+    for name in ("0.000", "0.250", "0.500"):
+        pixels = np.asarray(Image.open(f"fall-{name}s.png").convert("RGB")).astype(int)
+        row, column = round(row_at(float(name))), SIZE[0] // 2
+        light.append(pixels[row - 2 : row + 3, column - 2 : column + 3].sum(axis=2).mean())
+    assert light[0] < 150
+    assert light[0] < light[1] - 50 < light[2] - 100
+
+
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [

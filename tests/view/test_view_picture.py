@@ -8,6 +8,7 @@ import pytest
 from physsim.recording.orientation import rotation_matrices
 from physsim.view import things, wires
 from physsim.view.camera import FILLED, FOCUS, Camera, View, fitting, looking, placed
+from physsim.view.caption import Caption, Mark, captioned
 from physsim.view.light import FILL, GROUND, SKYLIGHT, SUN, SUNLIGHT, linear
 from physsim.view.outlook import Outlook, Screen
 from physsim.view.painter import Painter, grid_spacing
@@ -232,3 +233,12 @@ def test_frames_point_along_the_axes_of_the_body_each_shorter_than_the_last() ->
         lengths.append(np.linalg.norm(tip))
         assert np.allclose(tip / lengths[-1], axis, atol=1e-9)
     assert np.allclose(np.array(lengths) / lengths[0], [1, 0.8, 0.6])
+
+
+def test_hostile_names_are_one_short_line() -> None:
+    setting = around((0, 0, 0), 1.0)
+    camera = placed(View(), setting, SIZE)
+    pixels = drawn(stage(solid("sphere", 0.2)), [[0, 0, 0]], camera, setting).astype(np.uint8)
+    mark = Mark(np.zeros(3), "<b>\n\0" + 5000 * "x")
+    picture = captioned(pixels, camera, Caption(title="a\nb\t" + 5000 * "y", marks=[mark]))
+    assert picture.size == SIZE
