@@ -106,6 +106,8 @@ def command(
     if quantities and not format.quantities:
         raise click.UsageError(f"--to {name} shows the whole scene; quantities are for {spoken(TABLE.names)}")
     order = Order(file, name, target or Path(f"{file.stem}.{name}"), force, quantities)
+    if order.target.resolve() == file.resolve():
+        raise click.UsageError(f"-o {order.target}: is the trajectory itself")
     output.result(format.write(order, **{option.name: own[option.name] for option in format.options}))
 
 

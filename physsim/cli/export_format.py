@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -40,17 +42,27 @@ class Format:
     quantities: bool = False
 
 
-START = click.Option(["--from", "start"], type=float, metavar="T", help="Begin at this time [s].")
-END = click.Option(["--until", "end"], type=float, metavar="T", help="End at this time [s].")
+class Finite(click.FloatRange):
+    """A number that is neither infinite nor NaN, which a range alone lets pass."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        number = super().convert(value, param, ctx)
+        if not isfinite(number):
+            self.fail(f"{number} is not a finite number", param, ctx)
+        return number
+
+
+START = click.Option(["--from", "start"], type=Finite(), metavar="T", help="Begin at this time [s].")
+END = click.Option(["--until", "end"], type=Finite(), metavar="T", help="End at this time [s].")
 FPS = click.Option(
     ["--fps"],
-    type=click.FloatRange(min=0, min_open=True),
+    type=Finite(min=0, min_open=True),
     metavar="N",
     help="Frames per second. Default: glb, those of the file; mp4, 30; gif, 20.",
 )
 SPEED = click.Option(
     ["--speed"],
-    type=click.FloatRange(min=0, min_open=True),
+    type=Finite(min=0, min_open=True),
     default=1.0,
     metavar="X",
     help="Simulated seconds in each second that is shown: 0.25 is slow motion. Default: 1.",

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from physsim.cli import output
-from physsim.cli.export_format import END, FPS, SPEED, START, Format, Order
+from physsim.cli.export_format import END, FPS, SPEED, START, Finite, Format, Order
 from physsim.cli.verb import Example
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 TOLERANCE = click.Option(
     ["--tolerance"],
-    type=click.FloatRange(min=0),
+    type=Finite(min=0),
     metavar="M",
     help="How far any point of a body may be off at any frame [m]; 0 leaves out only what is superfluous to "
     "the last bit. Default: 1/1000 of the radius of the smallest body that moves.",

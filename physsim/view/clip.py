@@ -13,6 +13,8 @@ from physsim.recording import Trajectory
 from physsim.recording.orientation import between
 from physsim.view.stage import FloatArray
 
+MOST_TIMES = 1 << 24
+"""As many as 32-bit floats can count."""
 BLOCK_BYTES = 1 << 24
 _POSE_BYTES = 7 * 8
 NOT_UNIT = 1e-3
@@ -87,8 +89,10 @@ def clip_of(
     if len(times) == 0:
         raise FileTrouble(f"{trajectory.path}: has no frames in that span of time")
     if fps is not None:
-        steps = int(np.floor((times[-1] - times[0]) * fps * (1 + 1e-12)))
-        times = np.minimum(times[0] + np.arange(steps + 1) / fps, times[-1])
+        steps = (times[-1] - times[0]) * fps * (1 + 1e-12)
+        if steps > MOST_TIMES:
+            raise FileTrouble(f"{trajectory.path}: {fps:g} frames a second would be {steps:.2g} of them")
+        times = np.minimum(times[0] + np.arange(int(steps) + 1) / fps, times[-1])
     return Clip(trajectory, np.asarray(times, np.float64))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from physsim.recording.orientation import rotated
+from physsim.recording.orientation import rotation_matrices
 from physsim.view.clip import Clip
 from physsim.view.mesh import Mesh
 from physsim.view.stage import FloatArray, Stage
@@ -22,9 +22,8 @@ def radii(stage: Stage, meshes: Sequence[Mesh], placed: Sequence[Placed]) -> Flo
     for one in placed:
         solid = stage.solids[one.solid]
         if solid.kind != "halfspace":
-            corners = meshes[one.mesh].vertices * one.scale
-            turned = rotated(np.broadcast_to(solid.orientation, (len(corners), 4)), corners)
-            farthest = np.linalg.norm(turned + solid.position, axis=1).max()
+            middle = rotation_matrices(solid.orientation[None])[0].T @ solid.position
+            farthest = np.linalg.norm(meshes[one.mesh].vertices * one.scale + middle, axis=1).max()
             found[solid.body] = max(found[solid.body], farthest)
     return found
 
@@ -38,8 +37,9 @@ def bounds(clip: Clip, around: FloatArray, points: FloatArray) -> tuple[FloatArr
     if bodies.size == 0:
         return -np.ones(3), np.ones(3)
     chosen = np.unique(np.linspace(0, len(clip.times) - 1, min(LOOKED_AT, len(clip.times))).astype(int))
-    poses = list(Clip(clip.trajectory, clip.times[chosen]).blocks())
     reach = around[bodies, None]
-    lows = [(positions[:, bodies] - reach).min(axis=(0, 1)) for _, positions, _ in poses]
-    highs = [(positions[:, bodies] + reach).max(axis=(0, 1)) for _, positions, _ in poses]
-    return np.min([*lows, *points], axis=0), np.max([*highs, *points], axis=0)
+    lows, highs = list(points), list(points)
+    for _, positions, _ in Clip(clip.trajectory, clip.times[chosen]).blocks():
+        lows.append((positions[:, bodies] - reach).min(axis=(0, 1)))
+        highs.append((positions[:, bodies] + reach).max(axis=(0, 1)))
+    return np.min(lows, axis=0), np.max(highs, axis=0)

@@ -163,6 +163,7 @@ def test_memory_is_that_of_a_block(tmp_path: Path) -> None:
         (["RUN", "--to", "glb", "--rows", "long"], 2, "--rows is for --to csv and parquet, not for --to glb"),
         (["RUN", "energy.total", "--to", "glb"], 2, "--to glb shows the whole scene"),
         (["RUN", "--to", "csv", "--fps", "30"], 2, "--fps is for --to "),
+        (["RUN", "--to", "glb", "-o", "./RUN", "--force"], 2, "is the trajectory itself"),
         (["RUN", "--to", "xls"], 2, "'xls' is not one of"),
         (["RUN"], 2, "Missing option '--to'"),
         (["RUN", "--to", "csv", "-o", "there.csv"], 3, "exists already; --force replaces it"),

@@ -17,9 +17,11 @@ from view_glb import Glb, rotation, z_up
 import physsim
 from physsim import Trajectory, open_trajectory
 from physsim.cli.app import answer
+from physsim.errors import FileTrouble
 from physsim.view import clip as clip_room
 from physsim.view import glb_file
 from physsim.view import spool as spool_room
+from physsim.view.gltf_motion import clock
 
 SCENE = """
 physsim: 1
@@ -462,8 +464,10 @@ def refused(
     [
         (["--from", "7"], 3, "has no frames in that span of time"),
         (["--fps", "0"], 2, "--fps"),
-        (["--fps", "1e9", "--until", "0.1"], 3, "too close together for the 32-bit times of glTF"),
+        (["--fps", "inf"], 2, "not a finite number"),
+        (["--fps", "1e12"], 3, "would be 1.2e+12 of them"),
         (["--tolerance", "-1"], 2, "--tolerance"),
+        (["--tolerance", "nan"], 2, "not a finite number"),
         (["-o", "nowhere/a.glb"], 3, "the folder nowhere does not exist"),
         (["-o", "there.glb"], 3, "exists already; --force replaces it"),
     ],
@@ -472,6 +476,12 @@ def test_trouble(refused, words: list[str], code: int, told: str) -> None:
     found, said = refused(*words)
     assert found == code
     assert told in said
+
+
+def test_times_that_32_bits_cannot_tell_apart() -> None:
+    assert clock(np.array([5, 105, 105.00001]), 1.0).tolist() == [0, 100, 100.00001]
+    with pytest.raises(FileTrouble, match="too close together"):
+        clock(np.array([5, 105, 105.000001]), 1.0)
 
 
 def test_files_of_before_shapes_were_kept(folder: Path, tmp_path: Path, capsys) -> None:
