@@ -62,7 +62,9 @@ def setting_of(stage: Stage, boxes: FloatArray, positions: FloatArray, orientati
     points = np.concatenate([without_strays(way), _anchors(stage, positions[0], orientations[0])])
     if len(points) == 0:
         points = around if len(around) else _cube()
-    extent = max(float(np.ptp(points, axis=0).max()), 1e-12)
+    extent = float(np.ptp(points, axis=0).max())
+    if extent <= 0:
+        points, extent = points[0] + _cube(), 2.0
     near = [one for one in around.reshape(-1, 8, 3) if np.ptp(one, axis=0).max() <= BACKDROP * extent]
     screens = tuple(
         Screen(positions[0, k], rotation_matrices(orientations[0, k : k + 1])[0], *boxes[k])

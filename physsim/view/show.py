@@ -55,6 +55,7 @@ class Show:
     def __init__(self, trajectory: Trajectory, look: Look, span: tuple[float, float]) -> None:
         self.trajectory, self.look = trajectory, look
         self.stage = stage_of(trajectory)
+        self._known = trajectory.time
         self._painter = Painter(self.stage)
         self._followed = None if look.follow is None else trajectory.index_of(look.follow)
         positions, orientations = self._poses(
@@ -132,9 +133,13 @@ class Show:
         if "trails" in signs:
             yield from self._trails(time, positions, orientations)
 
+    def _frame(self, time: float) -> int:
+        """The frame nearest to a time."""
+        return int(np.argmin(np.abs(self._known - time)))
+
     def _speeds(self, time: float) -> FloatArray:
         """Of the centres of mass (N) [m/s], at the frame nearest to a time."""
-        velocities = self.trajectory.velocity[self.trajectory.frame_at(time)]
+        velocities = self.trajectory.velocity[self._frame(time)]
         return np.asarray(np.linalg.norm(velocities, axis=1))
 
     def _fastest_of(self, span: tuple[float, float]) -> float:
@@ -145,14 +150,14 @@ class Show:
         """Numbers of the joints that have broken by then."""
         if not self.trajectory.has("joints/broken"):
             return frozenset()
-        frame = int(np.searchsorted(self.trajectory.time, time, side="right")) - 1
+        frame = int(np.searchsorted(self._known, time, side="right")) - 1
         return frozenset(np.flatnonzero(self.trajectory.series("joints/broken")[frame]).tolist())
 
     def _contacts(self, time: float) -> tuple[FloatArray, FloatArray]:
         """Points (n, 3) and forces (n, 3) of the frame nearest to a time, the strongest of them; on
         the body that moves, of two that move on the one that is pushed up.
         """
-        frame = self.trajectory.frame_at(time)
+        frame = self._frame(time)
         table = self.trajectory.contact_rows(
             frame, frame + 1, ("position", "force", "body_a", "body_b"), by_name=False
         )

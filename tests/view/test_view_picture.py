@@ -12,7 +12,7 @@ from physsim.view.caption import Caption, Mark, captioned
 from physsim.view.light import FILL, GROUND, SKYLIGHT, SUN, SUNLIGHT, linear
 from physsim.view.outlook import Outlook, Screen
 from physsim.view.painter import Painter, grid_spacing
-from physsim.view.setting import Setting, without_strays
+from physsim.view.setting import Setting, setting_of, without_strays
 from physsim.view.signs import Signs
 from physsim.view.stage import WORLD, Actor, Link, Solid, Stage
 from physsim.view.tessellate import tessellated
@@ -242,3 +242,29 @@ def test_hostile_names_are_one_short_line() -> None:
     mark = Mark(np.zeros(3), "<b>\n\0" + 5000 * "x")
     picture = captioned(pixels, camera, Caption(title="a\nb\t" + 5000 * "y", marks=[mark]))
     assert picture.size == SIZE
+
+
+def test_a_scene_of_a_floor_and_nothing_else_is_drawn() -> None:
+    scene = stage(solid("halfspace"))
+    places, turned = np.zeros((1, 1, 3)), UPRIGHT[None, None]
+    painter = Painter(scene)
+    setting = setting_of(scene, painter.boxes, places, turned)
+    picture = painter.draw(placed(View(), setting, SIZE), setting, places[0], turned[0])
+    assert len(np.unique(picture.reshape(-1, 3), axis=0)) > 20
+
+
+def test_a_lone_anchor_has_a_size() -> None:
+    tie = Link("tie", "ball", (WORLD, WORLD), np.full((2, 3), 0.5), np.full(3, np.nan))
+    scene = stage(solid("halfspace"), joints=(tie,))
+    setting = setting_of(scene, Painter(scene).boxes, np.zeros((1, 1, 3)), UPRIGHT[None, None])
+    assert setting.size > 1
+
+
+def test_what_moves_counts_over_the_whole_run_and_a_backdrop_does_not() -> None:
+    """A ball goes from x = 0 to 1 before a wall of 100 m."""
+    scene = stage(solid("sphere", 0.1), solid("box", 50, 0.1, 50, body=1))
+    places = np.zeros((11, 2, 3))
+    places[:, 0, 0] = np.linspace(0, 1, 11)
+    places[:, 1, 1] = 2
+    setting = setting_of(scene, Painter(scene).boxes, places, np.tile(UPRIGHT, (11, 2, 1)))
+    assert np.allclose([setting.low, setting.high], [[-0.1, -0.1, -0.1], [1.1, 0.1, 0.1]], atol=2e-3)
