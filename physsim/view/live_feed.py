@@ -13,7 +13,6 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -32,19 +31,8 @@ _OF_CONTACTS = tuple(f"contacts/{name}" for name in ("body_a", "body_b", "positi
 _NOT_SHOWN = ("provenance/", "pairs/")
 
 
-@dataclass(frozen=True, slots=True)
-class _Frame:
-    number: int
-    step: int
-    time: float
-    rows: Rows
-    contacts: Rows | None
-
-    def message(self) -> Message:
-        shown = {} if self.contacts is None else {path: self.contacts[path] for path in _OF_CONTACTS}
-        return Message(
-            "frame", {"frame": self.number, "step": self.step, "time": self.time}, {**self.rows, **shown}
-        )
+# Number, step, time, rows and contacts. A plain tuple, as a run may make many thousands of them a second.
+_Frame = tuple[int, int, float, Rows, Rows | None]
 
 
 class Feed:
@@ -81,12 +69,13 @@ class Feed:
 
     def frame(self, number: int, step: int, time: float, rows: Rows, contacts: Rows | None) -> None:
         """A recorded frame: seen when it is the first, or still the newest when the thread looks."""
-        self._newest = _Frame(number, step, time, rows, contacts)
-        self._first = self._first or self._newest
+        self._newest = number, step, time, rows, contacts
+        if self._first is None:
+            self._first = self._newest
 
     def end(self, status: str, detail: str) -> None:
         """How the run ended; the last frame is always seen."""
-        frames = 0 if self._newest is None else self._newest.number + 1
+        frames = 0 if self._newest is None else self._newest[0] + 1
         self._ending = Message("end", {"status": status, "detail": detail, "frames": frames})
         self._over.set()
 
@@ -148,9 +137,9 @@ class Feed:
         while not over:
             over = self._over.wait(1 / FRAMES_PER_SECOND)
             for frame in (self._first, self._newest):
-                if frame is not None and (sent is None or frame.number > sent):
-                    self._send(frame.message())
-                    sent = frame.number
+                if frame is not None and (sent is None or frame[0] > sent):
+                    self._send(_message(frame))
+                    sent = frame[0]
         if self._ending is not None:
             self._send(self._ending)
 
@@ -158,3 +147,9 @@ class Feed:
         assert self._process.stdin is not None
         self._process.stdin.write(encoded(Message(message.kind, {**message.facts, **more}, message.arrays)))
         self._process.stdin.flush()
+
+
+def _message(frame: _Frame) -> Message:
+    number, step, time, rows, contacts = frame
+    shown = {} if contacts is None else {path: contacts[path] for path in _OF_CONTACTS}
+    return Message("frame", {"frame": number, "step": step, "time": time}, {**rows, **shown})
