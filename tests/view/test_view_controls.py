@@ -140,6 +140,26 @@ def test_any_quantity_can_be_plotted(visit: Visit, show: Callable[[str], Any]) -
     page.get_by_role("region", name="blue_ball").get_by_text(f"{x:.4f}").wait_for()
 
 
+def test_names_stand_beside_their_bodies(visit: Visit) -> None:
+    """Also after a panel has moved the drawing: the names then are where a new picture puts them."""
+    page = visit("balls", viewport=WIDE)
+    page.keyboard.press("n")
+    still(page)
+    press(page, "About")
+    still(page)
+    before = places_of_names(page)
+    page.keyboard.press("g")
+    still(page)
+    assert np.abs(np.subtract(before, places_of_names(page))).max() < 1
+
+
+def places_of_names(page: Page) -> list[tuple[float, float]]:
+    boxes = [
+        page.locator(".labels").get_by_text(f"{colour}_ball").bounding_box() for colour in ("red", "blue")
+    ]
+    return [(box["x"], box["y"]) for box in boxes if box]
+
+
 def test_a_phone(visit: Visit) -> None:
     """390 x 844, fingers only: nothing is wider than the screen, a tap picks, buttons can be hit."""
     page = visit("balls", viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
