@@ -1,20 +1,18 @@
 // Half-spaces as large floors and walls, and the grid on the lowest of them.
 
 import {
-  BufferAttribute, CircleGeometry, BufferGeometry, Color, DoubleSide, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
-  PlaneGeometry, Quaternion, RingGeometry, Vector3, type Object3D,
+  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, PlaneGeometry,
+  Quaternion, Vector3, type Object3D,
 } from "three";
+import type { Frame } from "./batch";
+import { Floor } from "./floor";
 import type { Moment } from "./player";
 import type { Placed, Recording } from "./recording";
 import { product, turned } from "./rotation";
 import { round125 } from "./round125";
-import type { Frame } from "./batch";
 
-/** A floor reaches so many radii of the scene, and fades out over so many more. Walls are not larger than the scene. */
-const FLOOR = 5;
-const FADE = 12;
+/** Half the side of a wall, in radii of the scene. */
 const WALL = 1.3;
-const SIDES = 48;
 /** A half-space whose normal points up so much is a floor. */
 const UPRIGHT = 0.8;
 /** Cells of the grid across the scene, about; it reaches so many radii. */
@@ -42,8 +40,7 @@ export class Ground {
   readonly cell: number;
   /** Floors and walls, to be picked: `userData.body` says whose they are. */
   readonly surfaces: Object3D[] = [];
-  private readonly floor = new MeshLambertMaterial({ side: FrontSide });
-  private readonly rim = new MeshLambertMaterial({ side: FrontSide, transparent: true, vertexColors: true, depthWrite: false });
+  private readonly floors: Floor[] = [];
   private readonly wall = new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.18, depthWrite: false });
   private readonly lines = new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false });
   private readonly grid: LineSegments;
@@ -54,9 +51,9 @@ export class Ground {
     let lowest: Plane | null = null;
     for (const placed of halfspaces) {
       const plane = planeOf(placed, moment, frame);
-      const isFloor = plane.normal.z > UPRIGHT;
-      this.add(placed, plane, isFloor, radius);
-      if (isFloor && (!lowest || plane.point.z < lowest.point.z)) lowest = plane;
+      if (!Number.isFinite(plane.point.length())) continue;
+      this.add(placed, plane, radius);
+      if (isFloor(plane) && (!lowest || plane.point.z < lowest.point.z)) lowest = plane;
     }
     this.cell = round125((2 * radius * frame.unit) / CELLS);
     this.grid = gridOf(this.cell / frame.unit, radius, this.lines);
@@ -68,8 +65,7 @@ export class Ground {
   }
 
   setColours(colours: GroundColours): void {
-    this.floor.color = new Color(colours.floor);
-    this.rim.color = new Color(colours.floor);
+    for (const floor of this.floors) floor.setColour(colours.floor);
     this.wall.color = new Color(colours.wall);
     this.lines.color = new Color(colours.lines);
   }
@@ -78,32 +74,34 @@ export class Ground {
     this.grid.visible = shown;
   }
 
-  private add(placed: Placed, plane: Plane, isFloor: boolean, radius: number): void {
-    const side = 2 * WALL * radius;
-    const shape = isFloor ? new CircleGeometry(FLOOR * radius, SIDES) : new PlaneGeometry(side, side);
-    const surface = new Mesh(shape, isFloor ? this.floor : this.wall);
-    surface.receiveShadow = isFloor;
-    surface.userData["body"] = placed.body;
-    this.surfaces.push(surface);
-    for (const part of isFloor ? [surface, new Mesh(rimOf(radius), this.rim)] : [surface]) {
-      part.position.copy(plane.point);
-      part.quaternion.copy(plane.turn);
-      this.group.add(part);
-    }
+  setShadows(shown: boolean): void {
+    for (const floor of this.floors) floor.setShadows(shown);
+  }
+
+  private add(placed: Placed, plane: Plane, radius: number): void {
+    const part = isFloor(plane) ? this.newFloor(plane, radius) : this.newWall(radius);
+    part.position.copy(plane.point);
+    part.quaternion.copy(plane.turn);
+    this.group.add(part);
+    this.surfaces[this.surfaces.length - 1].userData["body"] = placed.body;
+  }
+
+  private newFloor(plane: Plane, radius: number): Object3D {
+    const floor = new Floor(radius, plane.normal);
+    this.floors.push(floor);
+    this.surfaces.push(floor.surface);
+    return floor.group;
+  }
+
+  private newWall(radius: number): Object3D {
+    const wall = new Mesh(new PlaneGeometry(2 * WALL * radius, 2 * WALL * radius), this.wall);
+    this.surfaces.push(wall);
+    return wall;
   }
 }
 
-/** Around a floor: its colour, more and more seen through. */
-function rimOf(radius: number): BufferGeometry {
-  const rim = new RingGeometry(FLOOR * radius, (FLOOR + FADE) * radius, SIDES, 6);
-  const places = rim.getAttribute("position");
-  const colours = new Float32Array(4 * places.count).fill(1);
-  for (let k = 0; k < places.count; k++) {
-    const away = (Math.hypot(places.getX(k), places.getY(k)) / radius - FLOOR) / FADE;
-    colours[4 * k + 3] = Math.max(0, 1 - away) ** 2;
-  }
-  rim.setAttribute("color", new BufferAttribute(colours, 4));
-  return rim;
+function isFloor(plane: Plane): boolean {
+  return plane.normal.z > UPRIGHT;
 }
 
 /** Its point nearest to the middle of the scene, which is the origin of the view. */

@@ -1,6 +1,6 @@
 // Sky and sun.
 
-import { DirectionalLight, Group, HemisphereLight } from "three";
+import { Color, DirectionalLight, Group, HemisphereLight, type Vector3 } from "three";
 
 const SUN_FROM = [-0.45, -0.6, 1] as const;
 const SUN_AWAY = Math.hypot(...SUN_FROM);
@@ -12,6 +12,14 @@ export const SKY_LIGHT = 1.35;
 export const GROUND_LIGHT = 0x8a8f98;
 /** The sun stands so many radii of the scene away. */
 const DISTANCE = 4;
+
+/** The light that a surface with this normal sends out of white light, as `out`: three.js's matt surface under `Lights`. */
+export function lightOn(normal: Vector3, out: Color): Color {
+  const up = 0.5 * normal.z + 0.5;
+  const sun = SUN_LIGHT * Math.max(0, normal.x * SUN_DIRECTION[0] + normal.y * SUN_DIRECTION[1] + normal.z * SUN_DIRECTION[2]);
+  out.set(GROUND_LIGHT).lerp(new Color(0xffffff), up).multiplyScalar(SKY_LIGHT);
+  return out.addScalar(sun).multiplyScalar(1 / Math.PI);
+}
 
 /** Light from above and from a sun behind the viewer's left shoulder, with the shadows of a scene of this radius. */
 export class Lights {

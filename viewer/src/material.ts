@@ -18,7 +18,7 @@ float shaded(float pattern, vec3 d) {
 }
 `;
 
-/** The light of \`lights.ts\` without shadows. */
+/** The light of `lights.ts` without shadows. */
 const LIGHT = `
 uniform vec3 sun;
 uniform vec3 below;
@@ -116,7 +116,7 @@ void main() {
 }
 `;
 
-/** Of instances: light on every pixel, shadows. Attribute \`tint\`: colour and pattern. */
+/** Of instances: light on every pixel, shadows. Attribute `tint`: colour and pattern. */
 export function bodyMaterial(): MeshLambertMaterial {
   const material = new MeshLambertMaterial();
   material.onBeforeCompile = (shader) => {

@@ -286,6 +286,7 @@ export class Stage implements World {
     const side = this.shadowsWanted ? shadows : 0;
     for (const batch of this.batches) batch.setDetail(fine);
     this.lights.setShadows(side);
+    this.ground.setShadows(side > 0);
     this.renderer.shadowMap.enabled = side > 0;
     this.renderer.shadowMap.needsUpdate = true;
     this.renderer.setPixelRatio(Math.min(pixels, Math.max(1, window.devicePixelRatio)));
