@@ -73,6 +73,18 @@ def contacts_of(trajectory: Trajectory, kept: IntArray, most: int) -> Contacts |
     return Contacts(**columns, in_file=np.concatenate(counts))
 
 
+def points_in_file(trajectory: Trajectory) -> int:
+    """How many contact points the frames have together; 0 when they were not recorded."""
+    if not trajectory.has("contacts/offset"):
+        return 0
+    starts = range(0, trajectory.frames, FRAMES_AT_ONCE)
+    ends = (min(start + FRAMES_AT_ONCE, trajectory.frames) for start in starts)
+    blocks = (
+        trajectory.contact_rows(start, end, ("frame",)) for start, end in zip(starts, ends, strict=True)
+    )
+    return sum(block.rows for block in blocks)
+
+
 def _nothing() -> dict[str, Any]:
     whole = dict.fromkeys(("frame", "body_a", "body_b", "rank"), np.zeros(0, np.int32))
     vectors = dict.fromkeys(("position", "force"), np.zeros((0, 3)))

@@ -8,7 +8,7 @@ from itertools import count
 
 from physsim.recording import Trajectory
 from physsim.view.coding import encoded
-from physsim.view.contacts import Contacts, contacts_of, pack_contacts
+from physsim.view.contacts import Contacts, contacts_of, pack_contacts, points_in_file
 from physsim.view.motion import BODY_TRACKS, Track, kept_frames, numbers_of_a_frame, tracks_of
 from physsim.view.quantise import quantised
 from physsim.view.sections import Sections
@@ -52,7 +52,8 @@ def read(trajectory: Trajectory, stride: int) -> Content:
     frames = trajectory.frames
     stride = max(stride, math.ceil(frames * numbers_of_a_frame(trajectory) / MOST_NUMBERS), 1)
     kept = kept_frames(frames, stride)
-    most = max(1, MOST_CONTACTS // max(1, len(kept)))
+    points = points_in_file(trajectory)
+    most = points if points <= MOST_CONTACTS else max(1, MOST_CONTACTS // max(1, len(kept)))
     return Content(stride, kept, tracks_of(trajectory, kept), contacts_of(trajectory, kept, most))
 
 
