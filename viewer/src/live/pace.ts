@@ -3,8 +3,10 @@
 /** Milliseconds between two pictures at least, and those that a picture may take without being called slow. */
 const REST = 15;
 const QUICK = 25;
-/** A page that is slow to draw rests so many times as long as it drew: then it takes a quarter of the time. */
+/** A page that is slow to draw rests so many times as long as it drew, so that it takes a quarter of the time; but
+ *  somebody is looking, so no longer than this. */
 const SHARE = 3;
+const LONGEST_REST = 700;
 
 export class Pace {
   /** Milliseconds until growth may be told again. */
@@ -15,7 +17,7 @@ export class Pace {
     requestAnimationFrame((drawn) =>
       requestAnimationFrame((next) => {
         const took = next - drawn;
-        this.rest = took > QUICK ? SHARE * took : REST;
+        this.rest = took > QUICK ? Math.min(SHARE * took, LONGEST_REST) : REST;
       }),
     );
   }

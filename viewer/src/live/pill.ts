@@ -1,6 +1,7 @@
 // The pill above the view that says how far a run is that is being watched, and leads back to its newest moment.
 
 import type { App } from "../app";
+import { keepInSight } from "./framing";
 import type { LiveRecording, LiveStatus } from "./recording";
 import "./pill.css";
 
@@ -14,7 +15,8 @@ const WORDS: Record<Exclude<LiveStatus, "running">, string> = {
 const LAST = 12_000;
 
 /** Follows the run, and adds the pill to the page. */
-export function keepLive({ player, root }: App, recording: LiveRecording): void {
+export function keepLive(app: App, recording: LiveRecording): void {
+  const { player, root } = app;
   const pill = document.createElement("button");
   pill.className = "live-pill";
   pill.setAttribute("aria-live", "polite");
@@ -38,6 +40,7 @@ export function keepLive({ player, root }: App, recording: LiveRecording): void 
   root.append(pill);
   player.seek(player.end);
   player.play();
+  keepInSight(app);
   show();
 }
 
