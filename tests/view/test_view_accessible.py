@@ -122,6 +122,7 @@ def test_all_by_keyboard(visit: Visit) -> None:
         reached.append(page.evaluate("document.activeElement.ariaLabel ?? document.activeElement.tagName"))
     for name in ("Show all that moves", "Help", "Time", "Play", "Last frame", "Speed of playing", "Loop"):
         assert name in reached, (name, reached)
+    page.get_by_role("slider", name="Time").focus()
     page.keyboard.press("/")
     page.keyboard.type("blue")
     page.keyboard.press("Tab")

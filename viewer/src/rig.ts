@@ -75,6 +75,8 @@ export class Rig {
       this.camera.far = far;
       this.camera.updateProjectionMatrix();
     }
+    // Else done while drawing only: what is laid over the picture would lag behind it.
+    this.camera.updateMatrixWorld();
     return glides;
   }
 }

@@ -232,6 +232,7 @@ export class Stage implements World {
   /** Puts everything in its place; true while the camera still glides. */
   private prepare(elapsed: number): boolean {
     const { moment } = this.clock;
+    if (this.sizeDue) this.resize();
     for (const batch of this.batches) batch.move(moment);
     for (const batch of this.shapes) if (batch.instances.visible) batch.move(moment);
     this.markers.move(moment);
@@ -248,7 +249,6 @@ export class Stage implements World {
 
   private draw(): void {
     const { time } = this.clock.moment;
-    if (this.sizeDue) this.resize();
     if (this.qualityDue) this.applyQuality();
     this.renderer.shadowMap.needsUpdate ||= time !== this.lastTime;
     this.lastTime = time;

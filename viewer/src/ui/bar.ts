@@ -22,7 +22,7 @@ export class Bar {
   private readonly playIcon = icon(...PLAY);
   private readonly pauseIcon = icon(...PAUSE);
   private readonly slider = element("input", { type: "range", class: "time", step: "any", "aria-label": "Time" });
-  private readonly time = element("output", { class: "now" });
+  private readonly time = element("output", { class: "now", "aria-live": "off" });
   private readonly frame = element("span", { class: "frame" });
   private readonly speed = element("select", { "aria-label": "Speed of playing", title: "Speed ([ slower, ] faster)" });
   private shown: boolean | null = null;

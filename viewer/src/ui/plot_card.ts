@@ -87,7 +87,7 @@ export class PlotCard {
     this.values.length = 0;
     this.legend.replaceChildren(...this.lines.map((line, i) => {
       const pen = stroke(line.stroke);
-      const value = element("output", {}, old[i] ?? "");
+      const value = element("output", { "aria-live": "off" }, old[i] ?? "");
       this.values.push(value);
       const box = element("input", { type: "checkbox" });
       box.checked = line.shown;

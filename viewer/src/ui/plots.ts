@@ -114,6 +114,7 @@ export class Plots {
       this.add(entry);
     };
     const made = textButton(take, element("span", {}, entry.title), element("span", { class: "unit" }, unitInPrint(entry.unit)));
+    made.tabIndex = -1;
     // Else the field loses the focus before the click, and the list is gone.
     made.addEventListener("mousedown", (event) => event.preventDefault());
     return made;

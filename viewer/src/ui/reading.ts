@@ -21,7 +21,7 @@ export class Reading {
 
   /** `plot` is called when its plot is wanted; null: there is none to make. */
   constructor(name: string, unit: string, components: readonly string[], plot: (() => void) | null) {
-    this.cells = (components.length ? components : [""]).map(() => element("output", {}));
+    this.cells = (components.length ? components : [""]).map(() => element("output", { "aria-live": "off" }));
     const shown = this.cells.map((cell, i) =>
       element("span", { class: "cell" }, components[i] ? element("i", {}, components[i]) : "", cell));
     const heading = element("h4", {}, name, " ", element("span", { class: "unit" }, unitInPrint(unit)));
