@@ -80,7 +80,8 @@ def _estimate(track: Track, planes: int) -> float:
     if rows == 0 or length == 0:
         return 0.0
     sample = track.values[:: _spread(math.ceil(rows * length / SAMPLE))]
-    return len(encoded(quantised(sample, planes, track.whole).codes, planes)) * rows / len(sample)
+    bytes_of_sample = len(encoded(quantised(sample, planes, track.whole).codes, planes))
+    return bytes_of_sample * float(rows) / len(sample)
 
 
 def _spread(step: int) -> int:
