@@ -82,7 +82,7 @@ SHOTS = (
     ),
     Shot("trails.png", "billiards_break", "--to png --size 900x560 --show trails --at 0.7", "--at 0.05"),
     Shot("sheet.png", "dice_roll", "--to png --sheet 4x3 --size 1200x750 --until 1.1", "--until 0.05"),
-    Shot("declared.png", "slider_crank", "--picture"),
+    Shot("declared.png", "four_bar", "--picture"),
 )
 NAMES = (*(shot.name for shot in SHOTS), "gallery.png")
 

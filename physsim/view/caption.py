@@ -20,6 +20,9 @@ LETTERS = 1 / 30
 """Height of letters over the height of the picture; never under SMALLEST pixels."""
 SMALLEST = 11
 LONGEST_TEXT = 80
+MOST_BELOW = 30
+Box = tuple[float, float, float, float]
+"""Left, upper, right and lower edge [pixels]."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +57,9 @@ def captioned(pixels: Pixels, camera: Camera, caption: Caption) -> Any:
     width, height = image.size
     size = max(SMALLEST, round(height * LETTERS))
     edge = round(0.8 * size)
+    taken: list[Box] = []
     for mark in caption.marks:
-        _mark(draw, camera, mark, max(SMALLEST - 1, round(0.75 * size)))
+        _mark(draw, camera, mark, max(SMALLEST - 1, round(0.75 * size)), taken)
     _write(draw, (edge, height - edge), caption.time, size, anchor="ls", ink=INK)
     _write(draw, (width - edge, height - edge), caption.scale, round(0.8 * size), anchor="rs", ink=FAINT)
     _write(draw, (edge, edge), caption.title, round(1.1 * size), anchor="lt", ink=INK)
@@ -85,7 +89,8 @@ def _write(
         )
 
 
-def _mark(draw: Any, camera: Camera, mark: Mark, size: int) -> None:
+def _mark(draw: Any, camera: Camera, mark: Mark, size: int, taken: list[Box]) -> None:
+    """The sign at its place, and the word beside it, below those that are there already."""
     x, y, _ = camera.pixels(mark.place[None])[0]
     if not (np.isfinite(x) and np.isfinite(y)):
         return
@@ -96,7 +101,23 @@ def _mark(draw: Any, camera: Camera, mark: Mark, size: int) -> None:
         draw.ellipse(box, outline=ALARM, width=max(2, round(size / 6)))
     beside = 1.2 if mark.wrong else 0.6
     ink = ALARM if mark.wrong else LINK if mark.link else INK
-    _write(draw, (x + beside * size, y - 0.35 * size), mark.text, size, anchor="ls", ink=ink)
+    where = _free((x + beside * size, y - 0.35 * size), mark.text, size, taken)
+    _write(draw, where, mark.text, size, anchor="ls", ink=ink)
+
+
+def _free(where: tuple[float, float], text: str, size: int, taken: list[Box]) -> tuple[float, float]:
+    """The nearest place below on which no word stands; it is taken then."""
+    x, y = where
+    width = 0.55 * size * min(len(text), LONGEST_TEXT)
+    for _ in range(MOST_BELOW):
+        over = [
+            box for box in taken if x < box[2] and x + width > box[0] and y > box[1] and y - size < box[3]
+        ]
+        if not over or not text:
+            break
+        y = max(box[3] for box in over) + 1.05 * size
+    taken.append((x, y - size, x + width, y))
+    return x, y
 
 
 def _center_of_mass(draw: Any, middle: tuple[float, float], radius: float) -> None:

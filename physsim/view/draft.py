@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -56,8 +57,8 @@ def _names(stage: Stage, positions: FloatArray, orientations: FloatArray) -> Ite
     """Of bodies at their centres of mass, of joints and springs at their first anchor."""
     links = [*stage.joints, *stage.springs]
     few = len(stage.actors) + len(links) <= MOST_NAMES
-    for mark in labels(stage.actors, positions, orientations, massive=True):
-        yield mark if few else Mark(mark.place, "", massive=True)
+    for mark in labels(stage, positions, orientations, massive=True):
+        yield mark if few else replace(mark, text="")
     for link in links if few else ():
         ends = [at(link.bodies[k], link.anchors[k], positions, orientations) for k in (0, 1)]
         yield Mark(np.mean(ends, axis=0), link.name, link=True)

@@ -17,7 +17,7 @@ from physsim.view.light import linear, of_speeds, told_apart
 from physsim.view.painter import Painter, grid_spacing
 from physsim.view.setting import Setting, setting_of
 from physsim.view.signs import Signs
-from physsim.view.stage import FloatArray, stage_of
+from physsim.view.stage import FloatArray, Stage, stage_of
 from physsim.view.things import Extra
 
 SIGNS = ("contacts", "joints", "springs", "trails", "frames", "labels")
@@ -218,21 +218,23 @@ class Show:
             time=f"t = {time:.{decimals(self.trajectory)}f} s" if "time" in words else "",
             scale=self._scale() if "scale" in words else "",
             title=self.stage.title if "title" in words else "",
-            marks=tuple(labels(self.stage.actors, positions, orientations)) if named else (),
+            marks=tuple(labels(self.stage, positions, orientations)) if named else (),
         )
 
 
 def labels(
-    actors: Any, positions: FloatArray, orientations: FloatArray, massive: bool = False
+    stage: Stage, positions: FloatArray, orientations: FloatArray, massive: bool = False
 ) -> Iterator[Mark]:
-    """The names of bodies at their centres of mass; of copies (`brick[0,0,1]`) the first alone."""
-    told = set()
-    for body, actor in enumerate(actors):
+    """The names of bodies at their centres of mass, half-spaces left out; of copies (`brick[0,0,1]`) the
+    first alone. massive: with the signs of centres of mass, for bodies whose mass is known.
+    """
+    told = {stage.actors[solid.body].name for solid in stage.solids if solid.kind == "halfspace"}
+    for body, actor in enumerate(stage.actors):
         name = actor.name.partition("[")[0]
-        if np.isfinite(actor.mass) and name not in told:
+        if name not in told:
             told.add(name)
             place = positions[body] + rotated(orientations[body : body + 1], actor.center)[0]
-            yield Mark(place, actor.name, massive)
+            yield Mark(place, actor.name, massive and bool(np.isfinite(actor.mass)))
 
 
 def decimals(trajectory: Trajectory) -> int:

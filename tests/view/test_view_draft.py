@@ -73,3 +73,18 @@ def test_a_trajectory_is_not_drawn_by_info(tmp_path: Path, capsys: pytest.Captur
     assert answer(["run", str(scene), "-o", str(tmp_path / "two.h5"), "--duration", "2 ms", "--quiet"]) == 0
     assert answer(["info", str(tmp_path / "two.h5"), "--picture"]) == 2
     assert "physsim export --to png" in capsys.readouterr().err
+
+
+def test_names_of_one_place_stand_below_each_other(tmp_path: Path) -> None:
+    """Three bodies with one centre: three lines of writing, not one."""
+    bodies = "".join(
+        f"  body_{k}: {{{{shape: {{{{type: sphere, radius: {k + 1}}}}}, mass: 1 kg, collides: false}}}}\n"
+        for k in range(3)
+    )
+    scene = "physsim: 1\nsimulation: {{duration: 1 s, timestep: 1 ms}}\nbodies:\n" + bodies
+    (tmp_path / "three.yaml").write_text(scene.format())
+    target = tmp_path / "three.png"
+    assert answer(["info", str(tmp_path / "three.yaml"), "--picture", str(target), "--size", "400x400"]) == 0
+    pixels = np.asarray(Image.open(target).convert("RGB")).astype(int)
+    written = np.nonzero((pixels[150:350, 210:300].max(axis=2) < 60).any(axis=1))[0]
+    assert np.ptp(written) > 18  # one line is 10 high
