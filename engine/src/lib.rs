@@ -23,7 +23,6 @@ pub mod motion;
 pub mod mover;
 pub mod narrowphase;
 pub mod paths;
-pub mod picture;
 pub mod position;
 pub mod profile;
 pub mod roll;

@@ -1,4 +1,4 @@
-//! Pictures: from arrays to pixels; see `picture/mod.rs`.
+//! Pictures: from arrays to pixels; see the crate `painter`.
 
 use glam::{DMat3, DVec3, Vec3};
 use numpy::{IntoPyArray, PyArray3, PyArrayMethods};
@@ -8,7 +8,7 @@ use pyo3::types::{PyDict, PyTuple};
 
 use super::guarded;
 use super::input::{floats, integers, Input};
-use crate::picture::{Camera, Finish, Light, Mesh, Picture, Plane, Thing, MOST_SAMPLES};
+use physsim_painter::{Camera, Finish, Light, Mesh, Picture, Plane, Thing, MOST_SAMPLES};
 
 /// Pixels along a side, at most.
 const LARGEST: usize = 16384;
