@@ -35,7 +35,7 @@ def quantised(values: FloatArray, planes: int, whole: bool = False) -> Quantised
     highest = 256**planes - 2
     base, top = _ranges(values)
     step = top / highest - base / highest
-    # Steps that are no normal numbers have too few digits to count with: what differs so little is taken as equal.
+    # Steps that are no normal numbers have too few digits to count with: less than one counts as none.
     step = np.where(step < np.finfo(np.float64).tiny, 0.0, step)
     if whole:
         step = np.where(step > 0, np.maximum(step, 1.0), 0.0)
