@@ -13,6 +13,8 @@ export class Rig {
   readonly controls: OrbitControls;
   private readonly last = new Vector3();
   private readonly step = new Vector3();
+  /** Where `show` has put the camera. */
+  private readonly shownFrom = new Vector3();
   private following = false;
 
   constructor(canvas: HTMLCanvasElement, private readonly sceneRadius: number) {
@@ -27,6 +29,11 @@ export class Rig {
   resize(width: number, height: number): void {
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
+  }
+
+  /** Whether nobody has moved the camera since `show`. */
+  get isUntouched(): boolean {
+    return !this.following && this.camera.position.distanceTo(this.shownFrom) < 1e-6 * this.sceneRadius;
   }
 
   /** Looks at the middle of a box from so far away that all of it is in the picture. */
@@ -44,6 +51,7 @@ export class Rig {
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).addScaledVector(FROM, distance);
     this.controls.update();
+    this.shownFrom.copy(this.camera.position);
   }
 
   /** Looks at a place from now on, from the side it is seen from; null: stays where it is. */

@@ -99,7 +99,6 @@ export class Stage implements World {
     recording.onGrowth(() => this.redraw());
     new ResizeObserver(() => this.resized()).observe(this.canvas);
     this.resize();
-    this.frameAll();
   }
 
   get camera(): Camera {
@@ -299,9 +298,12 @@ export class Stage implements World {
 
   private resize(): void {
     const width = this.canvas.clientWidth || 1, height = this.canvas.clientHeight || 1;
+    const untouched = this.rig.isUntouched;
     this.rig.resize(width, height);
     this.renderer.setSize(width, height, false);
     this.sizeDue = false;
+    // A panel that opens beside the picture must not hide what moves.
+    if (untouched) this.frameAll();
   }
 }
 
