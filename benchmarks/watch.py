@@ -24,7 +24,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "view"))
 from view_chromium import FLAGS, find_browser
 
 import physsim
-from physsim.view.live_feed import Feed
+from physsim.view.live.feed import Feed
 
 BALL = """\
 physsim: 1

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from PIL import Image
 
-from physsim.view.sheet import sheet_of, write_png
+from physsim.view.picture.sheet import sheet_of, write_png
 
 HERE = Path(__file__).parent
 IMAGES = HERE / "images"

@@ -1,8 +1,8 @@
 """One module per engine: how a scene of the comparison is built, stepped and read there.
 
 Each has `SETTINGS`, named keyword arguments of which `default` is what the engine ships with, `version()`,
-and a class `World(scene, timestep, threads, **setting)`. Sleeping is off in all of them. What an engine cannot do
-raises `Unable`.
+and a class `World(scene, timestep, threads, **setting)`. Sleeping is off in all of them. What an engine
+cannot do raises `Unable`.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ from physsim.cli import output
 from physsim.cli.progress import SECONDS_BETWEEN_LINES, on_terminal
 
 if TYPE_CHECKING:
-    from physsim.view.show import Look
+    from physsim.view.picture.show import Look
 
 T = TypeVar("T")
 SMALLEST, LARGEST = 16, 8192
@@ -137,8 +137,8 @@ def look_of(
     caption: tuple[str, ...],
 ) -> Look:
     """What the options say."""
-    from physsim.view.camera import View
-    from physsim.view.show import Look
+    from physsim.view.picture.camera import View
+    from physsim.view.picture.show import Look
 
     azimuth, elevation, distance = (*(view or ()), None, None, None)[:3]
     if elevation is not None and not -90 <= elevation <= 90:

@@ -15,7 +15,7 @@ from physsim.cli.export_still import measures
 from physsim.cli.verb import Example
 
 if TYPE_CHECKING:
-    from physsim.view.show import Show
+    from physsim.view.picture.show import Show
     from physsim.view.stage import FloatArray
 
 USUAL_SIZE = {"mp4": (1280, 720), "gif": (480, 300)}
@@ -29,9 +29,9 @@ def write_film(
     """Pictures at an even rate."""
     from physsim.recording import open_trajectory
     from physsim.recording.whole_file import check_name
-    from physsim.view.film import film_times
-    from physsim.view.pillow import pillow
-    from physsim.view.show import Show
+    from physsim.view.picture.film import film_times
+    from physsim.view.picture.pillow import pillow
+    from physsim.view.picture.show import Show
 
     rate = rate_of(order.format, fps)
     look = look_of(film_size(order.format, looks.pop("size")), size=None, **looks)
@@ -47,7 +47,7 @@ def write_film(
 
 def save(order: Order, show: Show, times: FloatArray, rate: Fraction) -> None:
     """Draw and write, picture by picture."""
-    from physsim.view.film import hundredths, some_of, write_gif, write_mp4
+    from physsim.view.picture.film import hundredths, some_of, write_gif, write_mp4
 
     pictures = counted(show.pictures(times, fine=False), len(times), "drawing")
     if order.format == "mp4":
@@ -59,7 +59,7 @@ def save(order: Order, show: Show, times: FloatArray, rate: Fraction) -> None:
 
 def film_size(format: str, size: tuple[int, int] | None) -> tuple[int, int]:
     """The size asked for; of an MP4 both sides even."""
-    from physsim.view.film import even
+    from physsim.view.picture.film import even
 
     wanted = size or USUAL_SIZE[format]
     return even(wanted) if format == "mp4" else wanted
@@ -67,7 +67,7 @@ def film_size(format: str, size: tuple[int, int] | None) -> tuple[int, int]:
 
 def rate_of(format: str, fps: float | None) -> Fraction:
     """Pictures a second: of a GIF the nearest that its clock knows."""
-    from physsim.view.film import GIF_CLOCK, hundredths
+    from physsim.view.picture.film import GIF_CLOCK, hundredths
 
     wanted = USUAL_FPS[format] if fps is None else fps
     if wanted > FASTEST:

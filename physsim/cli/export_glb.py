@@ -13,7 +13,7 @@ from physsim.cli.export_format import END, FPS, SPEED, START, Finite, Format, Or
 from physsim.cli.verb import Example
 
 if TYPE_CHECKING:
-    from physsim.view.gltf import Written
+    from physsim.view.gltf.gltf import Written
 
 TOLERANCE = click.Option(
     ["--tolerance"],
@@ -38,7 +38,7 @@ def write_scene(
     """One file with meshes, materials and key frames."""
     from physsim.recording import open_trajectory
     from physsim.recording.whole_file import check_name
-    from physsim.view.gltf import Wishes, write_gltf
+    from physsim.view.gltf.gltf import Wishes, write_gltf
 
     check_name(order.target, force=order.force)
     with open_trajectory(order.file) as trajectory:

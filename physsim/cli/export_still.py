@@ -15,7 +15,7 @@ from physsim.cli.verb import Example
 
 if TYPE_CHECKING:
     from physsim.recording import Trajectory
-    from physsim.view.show import Look
+    from physsim.view.picture.show import Look
     from physsim.view.stage import FloatArray
 
 USUAL_SIZE = (1280, 720)
@@ -94,7 +94,7 @@ def write_stills(
 ) -> str:
     """A file for each time, or a sheet."""
     from physsim.recording import open_trajectory
-    from physsim.view.pillow import pillow
+    from physsim.view.picture.pillow import pillow
 
     if moments is not None and grid is not None:
         raise click.UsageError("--at chooses the times, --sheet takes them evenly; give one of them")
@@ -128,8 +128,8 @@ def chosen_times(
 def write_each(order: Order, trajectory: Trajectory, look: Look, times: FloatArray) -> str:
     """One file for each time."""
     from physsim.recording.whole_file import check_name
-    from physsim.view.sheet import still_names, write_png
-    from physsim.view.show import Show
+    from physsim.view.picture.sheet import still_names, write_png
+    from physsim.view.picture.show import Show
 
     names = still_names(order.target, times.tolist())
     for name in names:
@@ -152,8 +152,8 @@ def write_sheet(
 
     from physsim.recording.whole_file import check_name
     from physsim.view.clip import clip_of
-    from physsim.view.sheet import even_times, sheet_of, tile_size, write_png
-    from physsim.view.show import Show
+    from physsim.view.picture.sheet import even_times, sheet_of, tile_size, write_png
+    from physsim.view.picture.show import Show
 
     check_name(order.target, force=order.force)
     known = clip_of(trajectory, *span).times

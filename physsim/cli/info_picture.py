@@ -36,8 +36,8 @@ def draw(
     import numpy as np
 
     from physsim.simulation.about import fixed_values
-    from physsim.view.draft import draft
-    from physsim.view.sheet import write_png
+    from physsim.view.picture.draft import draft
+    from physsim.view.picture.sheet import write_png
     from physsim.view.stage import staged
 
     stage = staged(scene.title, fixed_values(scene, model).get)

@@ -14,7 +14,7 @@ from physsim.cli import output
 from physsim.cli.verb import Example, Verb, debug_option, json_option
 
 if TYPE_CHECKING:
-    from physsim.view.page import Page
+    from physsim.view.page.page import Page
 
 MEGABYTE = 1_000_000
 MAX_SIZE = click.Option(
@@ -98,7 +98,7 @@ command.params.insert(-2, MAX_SIZE)
 def written(file: Path, target: Path, max_size: float, *, force: bool) -> Page:
     """The page, and it is in the file `target`. max_size in MB. Raises FileTrouble."""
     from physsim.recording.whole_file import check_name
-    from physsim.view.page import write_page
+    from physsim.view.page.page import write_page
 
     check_name(target, force=force)
     page = made(file, max_size)
@@ -109,8 +109,8 @@ def written(file: Path, target: Path, max_size: float, *, force: bool) -> Page:
 def made(file: Path, max_size: float) -> Page:
     """The page; on stderr what was left out. Raises FileTrouble."""
     from physsim.recording import open_trajectory
-    from physsim.view.notes import left_out
-    from physsim.view.page import page_of
+    from physsim.view.page.notes import left_out
+    from physsim.view.page.page import page_of
 
     with open_trajectory(file) as trajectory:
         page = page_of(trajectory, int(max_size * MEGABYTE))
@@ -131,13 +131,13 @@ def said(target: Path, page: Page) -> str:
 
 def facts(page: Page) -> dict[str, Any]:
     """For a JSON document."""
-    from physsim.view.notes import notes_of
+    from physsim.view.page.notes import notes_of
 
     return {"bytes": page.size, "page": page.report.as_data(), "notes": notes_of(page.report)}
 
 
 def _serve(page: Page, port: int, *, show: bool, as_json: bool) -> None:
-    from physsim.view.serve import Server
+    from physsim.view.page.serve import Server
 
     try:
         server = Server(page, port)

@@ -17,7 +17,7 @@ import click
 from physsim.cli import output, progress
 
 if TYPE_CHECKING:
-    from physsim.view.live_feed import Feed
+    from physsim.view.live.feed import Feed
 
 
 @contextmanager
@@ -57,7 +57,7 @@ def _check(wanted: bool, port: int) -> None:
 
 
 def _started(port: int) -> Feed | None:
-    from physsim.view.live_feed import Feed
+    from physsim.view.live.feed import Feed
 
     try:
         return Feed(_announce, _warn, port=port)

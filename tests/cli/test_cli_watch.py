@@ -21,8 +21,8 @@ import pytest
 from shell import PHYSSIM, clean_environment
 
 from physsim import open_trajectory
-from physsim.view import live_process
-from physsim.view.live_wire import Message, read
+from physsim.view.live import process as live_process
+from physsim.view.live.wire import Message, read
 
 SCENE = """
 physsim: 1

@@ -13,7 +13,7 @@ from contents import differing
 
 import physsim
 from physsim.errors import RunFailed
-from physsim.view.live_feed import Feed
+from physsim.view.live.feed import Feed
 
 
 class Notes:

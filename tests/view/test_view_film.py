@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from physsim.cli.app import answer
-from physsim.view.camera import FOCUS
-from physsim.view.show import Show
+from physsim.view.picture.camera import FOCUS
+from physsim.view.picture.show import Show
 
 Image = pytest.importorskip("PIL.Image")
 av = pytest.importorskip("av")

@@ -19,9 +19,9 @@ from physsim import Trajectory, open_trajectory
 from physsim.cli.app import answer
 from physsim.errors import FileTrouble
 from physsim.view import clip as clip_room
-from physsim.view import glb_file
-from physsim.view import spool as spool_room
-from physsim.view.gltf_motion import clock
+from physsim.view.gltf import glb_file
+from physsim.view.gltf import spool as spool_room
+from physsim.view.gltf.motion import clock
 
 SCENE = """
 physsim: 1

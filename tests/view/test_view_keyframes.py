@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
-from physsim.view import spool as spool_room
-from physsim.view.keyframes import Keys, Thinner, in_one_hemisphere, shift, turn
-from physsim.view.spool import Spool
+from physsim.view.gltf import spool as spool_room
+from physsim.view.gltf.keyframes import Keys, Thinner, in_one_hemisphere, shift, turn
+from physsim.view.gltf.spool import Spool
 
 
 def thinned(

@@ -14,8 +14,8 @@ from view_watcher import PATIENCE, HeldUp, Offer, Watcher, begun, frames, get, o
 
 import physsim
 from physsim import open_trajectory
-from physsim.view.live_wire import Message
-from physsim.view.page import page_of
+from physsim.view.live.wire import Message
+from physsim.view.page.page import page_of
 
 SCENE = """
 physsim: 1

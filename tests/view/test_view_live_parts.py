@@ -7,8 +7,8 @@ import io
 import numpy as np
 import pytest
 
-from physsim.view.live_store import MOST_BEHIND, Kept, Store, caught_up
-from physsim.view.live_wire import Message, encoded, read
+from physsim.view.live.store import MOST_BEHIND, Kept, Store, caught_up
+from physsim.view.live.wire import Message, encoded, read
 
 MESSAGE = Message(
     "frame",

@@ -17,12 +17,12 @@ from view_unpacked import NOT_A_NUMBER, Opened, decoded, opened_page
 from physsim import open_trajectory
 from physsim.cli.app import answer
 from physsim.errors import FileTrouble
-from physsim.view import plan
-from physsim.view.coding import encoded
-from physsim.view.contacts import relative_error, shortened
-from physsim.view.motion import kept_frames
-from physsim.view.pack import packed
-from physsim.view.quantise import quantised
+from physsim.view.page import plan
+from physsim.view.page.coding import encoded
+from physsim.view.page.contacts import relative_error, shortened
+from physsim.view.page.motion import kept_frames
+from physsim.view.page.pack import packed
+from physsim.view.page.quantise import quantised
 
 PLANES = st.sampled_from([1, 2, 3, 4])
 CROWD = """

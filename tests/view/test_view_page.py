@@ -10,6 +10,7 @@ import re
 import threading
 from collections.abc import Iterator
 from html.parser import HTMLParser
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +18,11 @@ import h5py
 import pytest
 from view_unpacked import opened_page
 
-import physsim.view.serve as serving
 from physsim import open_trajectory
 from physsim.cli.app import answer
 from physsim.view.loopback import HOST
-from physsim.view.page import as_json, assembled, page_of
-from physsim.view.serve import Server
+from physsim.view.page.page import as_json, assembled, page_of
+from physsim.view.page.serve import Server
 
 SCENE = """
 physsim: 1
@@ -126,7 +126,7 @@ def test_the_policy_allows_this_script_and_style_and_nothing_else(trajectory: Pa
 def test_script_and_style_end_where_they_should() -> None:
     """Their own texts hold nothing that a browser takes for an end, or for the start of a comment."""
     for name, end in (("viewer.js", r"</script|<!--|\r"), ("viewer.css", r"</style|\r")):
-        text = (Path(serving.__file__).parent / "assets" / name).read_text(encoding="utf-8")
+        text = (files("physsim.view") / "assets" / name).read_text(encoding="utf-8")
         assert not re.search(end, text, re.IGNORECASE)
 
 

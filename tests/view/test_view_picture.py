@@ -6,16 +6,16 @@ import numpy as np
 import pytest
 
 from physsim.recording.orientation import rotation_matrices
-from physsim.view import things, wires
-from physsim.view.camera import FILLED, FOCUS, Camera, View, fitting, looking, placed
-from physsim.view.caption import Caption, Mark, captioned
-from physsim.view.light import FILL, GROUND, SKYLIGHT, SUN, SUNLIGHT, linear
-from physsim.view.outlook import Outlook, Screen
-from physsim.view.painter import Painter, grid_spacing
-from physsim.view.setting import Setting, setting_of, without_strays
-from physsim.view.signs import Signs
+from physsim.view.picture import things, wires
+from physsim.view.picture.camera import FILLED, FOCUS, Camera, View, fitting, looking, placed
+from physsim.view.picture.caption import Caption, Mark, captioned
+from physsim.view.picture.light import FILL, GROUND, SKYLIGHT, SUN, SUNLIGHT, linear
+from physsim.view.picture.outlook import Outlook, Screen
+from physsim.view.picture.painter import Painter, grid_spacing
+from physsim.view.picture.setting import Setting, setting_of, without_strays
+from physsim.view.picture.signs import Signs
+from physsim.view.shapes.tessellate import tessellated
 from physsim.view.stage import WORLD, Actor, Link, Solid, Stage
-from physsim.view.tessellate import tessellated
 
 SIZE = (400, 300)
 UPRIGHT = np.array([1.0, 0, 0, 0])

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 import trimesh
 
-from physsim.view.creases import creased
-from physsim.view.mesh import Mesh
+from physsim.view.shapes.creases import creased
+from physsim.view.shapes.mesh import Mesh
+from physsim.view.shapes.tessellate import tessellated
 from physsim.view.stage import FloatArray, Solid, Stage, Surface
-from physsim.view.tessellate import tessellated
 
 # kind, parameters, volume, and whether drawing it with flat triangles costs volume
 ROUND = [

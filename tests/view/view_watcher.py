@@ -13,8 +13,8 @@ from urllib.parse import urlsplit
 
 import numpy as np
 
-from physsim.view.live_feed import Feed
-from physsim.view.live_wire import Message, read
+from physsim.view.live.feed import Feed
+from physsim.view.live.wire import Message, read
 
 PATIENCE = 60.0
 """Seconds until something that does not come counts as missing."""

@@ -1,4 +1,4 @@
-// Undoes physsim/view/coding.py: differences along the row, zigzag, byte planes.
+// Undoes physsim/view/page/coding.py: differences along the row, zigzag, byte planes.
 
 /** Whole numbers, `length` * `rows` of them, frame by frame: [frame * rows + row]. */
 export type Codes = Uint8Array | Uint16Array | Uint32Array;

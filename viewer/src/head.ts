@@ -1,4 +1,4 @@
-// The JSON head of a page, as physsim/view/pack.py and head.py write it.
+// The JSON head of a page, as physsim/view/page/pack.py and head.py write it.
 
 /** Each different word once, and for each place which one. */
 export interface Indexed {

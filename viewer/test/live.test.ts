@@ -12,7 +12,7 @@ const KINDS = [
   { name: "energy/spring", unit: "J", components: 1 },
 ];
 
-/** A message as physsim/view/live_wire.py writes it. */
+/** A message as physsim/view/live/wire.py writes it. */
 function encoded(kind: string, facts: object, arrays: [string, string, number[], Uint8Array][]): Uint8Array {
   const text = JSON.stringify({ kind, facts, arrays: arrays.map(([name, type, shape]) => [name, type, shape]) });
   const head = new TextEncoder().encode(text.padEnd(8 * Math.ceil(text.length / 8)));

@@ -1,4 +1,4 @@
-// Messages of a run that is watched, as physsim/view/live_wire.py writes them.
+// Messages of a run that is watched, as physsim/view/live/wire.py writes them.
 
 export interface Message {
   readonly kind: "frame" | "end" | "whole" | "alive";
