@@ -4,6 +4,8 @@
     python docs/pictures.py NAME ...           only these
     python docs/pictures.py --quick FOLDER     all of them tiny and short, into another folder: for a test
 
+page.png, of the page in a browser, is left as it is where there is no Chromium, Chrome or Edge.
+
 Plots are made elsewhere: images/integrators.svg by docs/integrators.py, docs/formulas by docs/formulas.py.
 """
 
@@ -20,8 +22,12 @@ from PIL import Image
 from physsim.view.picture.sheet import sheet_of, write_png
 
 HERE = Path(__file__).parent
+sys.path.append(str(HERE.parent / "tests" / "view"))
+from view_chromium import find_browser, started  # noqa: E402, a module of the tests
 IMAGES = HERE / "images"
 SCENES = HERE.parent / "scenes"
+SETTLED = 3000
+"""Milliseconds after which a browser that draws in software has drawn a picture well."""
 QUICK_RUN = ["--duration", "0.05 s", "--set", "expect=[]"]
 QUICK_LOOK = ["--size", "96x60"]
 GALLERY_TILE, GALLERY_COLUMNS = (320, 200), 4
@@ -84,7 +90,10 @@ SHOTS = (
     Shot("sheet.png", "dice_roll", "--to png --sheet 4x3 --size 1200x750 --until 1.1", "--until 0.05"),
     Shot("declared.png", "four_bar", "--picture"),
 )
-NAMES = (*(shot.name for shot in SHOTS), "gallery.png")
+PAGE = "page.png"
+PAGE_SCENE, PAGE_OPENED_AT = "wrecking_ball", "#t=1.1&body=ball"
+PAGE_SIZE = {"width": 1440, "height": 800}
+NAMES = (*(shot.name for shot in SHOTS), "gallery.png", PAGE)
 
 
 def main() -> None:
@@ -101,6 +110,8 @@ def main() -> None:
                 make(shot, folder, Path(runs), quick)
         if "gallery.png" in wanted:
             gallery(folder, Path(runs), quick)
+        if PAGE in wanted:
+            page(folder, Path(runs), quick)
 
 
 def make(shot: Shot, folder: Path, runs: Path, quick: bool) -> None:
@@ -127,6 +138,23 @@ def gallery(folder: Path, runs: Path, quick: bool) -> None:
         tiles.append(Image.open(tile).convert("RGB"))
     rows = -(-len(tiles) // GALLERY_COLUMNS)
     write_png(folder / "gallery.png", sheet_of(tiles, GALLERY_COLUMNS, rows, (width, height)))
+
+
+def page(folder: Path, runs: Path, quick: bool) -> None:
+    """The page of a trajectory as a browser shows it, with one body selected."""
+    program = find_browser()
+    if program is None:
+        print(f"{PAGE}: left as it is, there is no Chromium, Chrome or Edge here")
+        return
+    html = runs / "page.html"
+    physsim("view", run(PAGE_SCENE, runs, quick), "-o", str(html))
+    with started(program) as browser:
+        window = browser.new_page(viewport=PAGE_SIZE)
+        window.goto(html.as_uri() + PAGE_OPENED_AT)
+        window.evaluate("window.physsim.ready")
+        window.wait_for_timeout(SETTLED)
+        window.screenshot(path=folder / PAGE)
+    print(f"{PAGE}: {PAGE_SIZE['width']}x{PAGE_SIZE['height']}")
 
 
 def run(scene: str, runs: Path, quick: bool) -> str:
