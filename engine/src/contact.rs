@@ -305,18 +305,6 @@ impl Contact {
         }
     }
 
-    /// The impulse brought into Coulomb's cone: no pull, friction shortened to mu times the normal impulse.
-    #[must_use]
-    pub fn in_cone(&self, impulse: DVec3) -> DVec3 {
-        let normal = impulse.x.max(0.0);
-        let (limit, length) = (
-            self.friction_coefficient() * normal,
-            length(impulse.y, impulse.z),
-        );
-        let scale = if length > limit { limit / length } else { 1.0 };
-        DVec3::new(normal, impulse.y * scale, impulse.z * scale)
-    }
-
     /// Choose the friction of the next solve by the slip at its start.
     pub fn choose_friction(&mut self, velocity: DVec3, slip_speed: f64) {
         let slip = length(velocity.y, velocity.z);

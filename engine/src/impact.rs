@@ -283,6 +283,7 @@ impl Impacts {
         let limits = Limits {
             iterations: 2 * rules.iterations,
             tolerance: (1e-10 * fastest).min(rules.tolerance),
+            quiet_speed: f64::INFINITY,
         };
         let report = self.solve(scene, limits);
         if report.residual > JAMMED * fastest {

@@ -25,22 +25,30 @@ use glam::DVec3;
 
 use crate::articulation::Articulation;
 use crate::body::Body;
-use crate::contact::{Contact, Friction};
-use crate::disc::friction_in_disc;
+use crate::contact::Contact;
+use crate::direct::Direct;
 use crate::islands::{Island, Islands};
 use crate::joint::Row;
-use crate::math::length;
 use crate::mover::{Mover, Part, Twist};
-use crate::roll::Roll;
+use crate::point::Point;
 use crate::subspace::Subspace;
 
 /// Sweeps between two linear solves.
-const SWEEPS: usize = 4;
+const SWEEPS: usize = 2;
 /// Passes of all linear solves together, per sweep allowed. With fewer a pyramid of 210 boxes does not come to rest.
 const PASSES: usize = 6;
 /// A linear solve goes on until its residual is this part of what it was: its guess of which contacts carry is seldom
 /// worth more.
 const LEAP: f64 = 1e-3;
+
+/// After a leap, a first sweep that changes this many times as much as before says that the guess was wrong.
+const ASTRAY: f64 = 8.0;
+/// Wrong guesses that are dear, in one solve.
+const MISTAKES: usize = 3;
+/// Products of blocks per contact that a direct solve may take at any time: what a few sweeps cost.
+const CHEAP: usize = 1;
+/// Where all is quiet: a wall of 30 layers takes 8, of 60 layers 15, a heap of a thousand balls 50.
+const DEAR: usize = 16;
 
 /// What a solve came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,6 +66,8 @@ pub struct Limits {
     pub iterations: usize,
     /// Stop below this residual [m/s].
     pub tolerance: f64,
+    /// Contacts that meet at up to this speed are at rest [m/s].
+    pub quiet_speed: f64,
 }
 
 impl Limits {
@@ -83,19 +93,39 @@ impl Report {
 #[derive(Clone, Debug, Default)]
 pub struct Solver {
     movers: Vec<Mover>,
-    /// Impulses with the least residual so far.
-    best: Vec<DVec3>,
+    points: Vec<Point>,
+    /// Impulses before the last leap.
+    kept: Vec<DVec3>,
     subspace: Subspace,
+    direct: Direct,
+    /// Of the island at hand, once it was asked for.
+    leap: Option<Leap>,
+    /// Wrong guesses in it.
+    wrong: usize,
     islands: Islands,
     island: Island,
     residuals: Vec<f64>,
 }
 
+/// How the contacts of an island that carry are solved together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Leap {
+    /// By Cholesky's factor.
+    Direct {
+        /// It costs no more than a few sweeps.
+        cheap: bool,
+    },
+    /// By GMRES, where there are joints or rolling friction.
+    Krylov,
+    /// Not at all: it would cost more than it brings.
+    Never,
+}
+
 /// What one island is solved with.
 pub(crate) struct System<'a> {
-    pub(crate) contacts: &'a mut [Contact],
+    pub(crate) points: &'a mut [Point],
     pub(crate) articulation: &'a mut Articulation,
-    pub(crate) island: &'a Island,
+    pub(crate) assemblies: &'a [usize],
     pub(crate) movers: &'a mut [Mover],
 }
 
@@ -124,11 +154,6 @@ impl Solver {
         articulation: &mut Articulation,
         limits: Limits,
     ) -> Report {
-        for &k in which {
-            let c = &contacts[k];
-            push(&mut self.movers, c, c.impulse);
-            turn(&mut self.movers, c, c.turn());
-        }
         self.residuals.clear();
         self.residuals.resize(self.movers.len(), 0.0);
         let mut report = Report::default();
@@ -141,10 +166,6 @@ impl Solver {
             let one = self.solve_island(contacts, articulation, &island, limits);
             report.residual = report.residual.max(one.residual);
             report.iterations = report.iterations.max(one.iterations);
-            for &k in &island.contacts {
-                self.residuals[contacts[k].bodies.0] = one.residual;
-                self.residuals[contacts[k].bodies.1] = one.residual;
-            }
         }
         self.island = island;
         report
@@ -158,10 +179,23 @@ impl Solver {
         limits: Limits,
     ) -> Report {
         let mut movers = std::mem::take(&mut self.movers);
+        let mut points = std::mem::take(&mut self.points);
+        points.clear();
+        let members = island.contacts.iter();
+        points.extend(members.map(|&k| Point::of(&mut contacts[k], limits.quiet_speed)));
+        (self.leap, self.wrong) = (None, 0);
+        for p in &points {
+            p.push(&mut movers, p.impulse);
+            let q = p
+                .roll
+                .as_ref()
+                .map_or(DVec3::ZERO, |r| r.to_world(r.impulse));
+            p.turn(&mut movers, q);
+        }
         let mut system = System {
-            contacts,
+            points: &mut points,
             articulation,
-            island,
+            assemblies: &island.assemblies,
             movers: &mut movers,
         };
         system.hold_joints();
@@ -170,7 +204,13 @@ impl Solver {
         } else {
             self.release(&mut system, limits)
         };
+        for (p, &k) in points.iter_mut().zip(&island.contacts) {
+            p.give_back(&mut contacts[k]);
+            self.residuals[p.a()] = report.residual;
+            self.residuals[p.b()] = report.residual;
+        }
         self.movers = movers;
+        self.points = points;
         report
     }
 
@@ -220,69 +260,106 @@ impl Solver {
         report
     }
 
-    /// Sweeps and linear solves in turn, until a sweep changes nothing any more. Ends with a sweep, so that every
-    /// impulse lies in its cone. A linear solve may guess wrongly which contacts carry, and the next sweeps then have
-    /// more to mend than before: the next guess waits longer, and where the sweeps run out the best impulses are taken.
+    /// Sweeps and leaps in turn, until a sweep changes nothing any more. Ends with a sweep, so that every impulse lies in
+    /// its cone. A leap may guess wrongly which contacts carry, and the next sweeps then have more to mend than before:
+    /// then its impulses are taken back, and the next guess waits longer.
     fn iterate(&mut self, system: &mut System, part: Part, limits: Limits) -> Report {
         let mut iterations = 0;
-        let mut best = f64::INFINITY;
         let mut patience = SWEEPS;
         let mut passes = PASSES * limits.iterations;
+        let mut start = f64::INFINITY;
         loop {
-            let mut residual = f64::INFINITY;
-            for _ in 0..patience {
-                residual = system.sweep(part, iterations % 2 == 1);
-                iterations += 1;
-                if residual < limits.tolerance || iterations >= limits.iterations {
-                    break;
-                }
+            let sweeps = patience.min(limits.iterations - iterations);
+            let (mut residual, made) =
+                system.sweeps(part, iterations, (sweeps, limits.tolerance), ASTRAY * start);
+            iterations += made;
+            let converged = residual < limits.tolerance;
+            let wrong = residual > start && !converged;
+            if wrong {
+                system.set_impulses(&self.kept);
+                residual = start;
             }
-            if residual < limits.tolerance {
+            if converged || iterations >= limits.iterations {
                 return Report {
                     residual,
                     iterations,
                 };
             }
-            if residual > 0.5 * best {
+            if residual > 0.5 * start {
                 patience *= 2;
             }
-            if residual < best {
-                best = residual;
-                self.best.clear();
-                self.best.extend(system.impulses());
+            start = f64::INFINITY;
+            if wrong {
+                self.discourage();
+            } else if self.may_leap(system) {
+                start = residual;
+                self.kept.clear();
+                self.kept.extend(system.impulses());
+                passes -= self.leap(system, part, passes, limits.tolerance / residual);
             }
-            if iterations >= limits.iterations {
-                system.set_impulses(&self.best);
-                return Report {
-                    residual: best,
-                    iterations,
-                };
-            }
-            passes -= self.leap(system, part, passes, limits.tolerance / residual);
+        }
+    }
+
+    /// Guesses that are dear are given up when they are wrong again and again.
+    fn discourage(&mut self) {
+        self.wrong += 1;
+        if self.leap == Some(Leap::Direct { cheap: false }) && self.wrong >= MISTAKES {
+            self.leap = Some(Leap::Never);
+        }
+    }
+
+    /// Decides it for the island, once.
+    fn may_leap(&mut self, system: &System) -> bool {
+        let leap = self.leap.unwrap_or_else(|| self.choose_leap(system));
+        self.leap = Some(leap);
+        leap != Leap::Never
+    }
+
+    /// Where things rest, impulses last, and so would their errors; in a heap that tumbles the contacts that carry are
+    /// others every step, and a dear guess at them is seldom right.
+    fn choose_leap(&mut self, system: &System) -> Leap {
+        let points = &*system.points;
+        if !system.assemblies.is_empty() || points.iter().any(|p| p.roll.is_some()) {
+            return Leap::Krylov;
+        }
+        let mut within = |products| self.direct.suits(points, system.movers, products);
+        if within(CHEAP * points.len()) {
+            Leap::Direct { cheap: true }
+        } else if points.iter().all(|p| p.quiet) && within(DEAR * points.len()) {
+            Leap::Direct { cheap: false }
+        } else {
+            Leap::Never
         }
     }
 
     /// Solve the contacts that carry as a linear system, and bring the result back into the cones. Returns the number
     /// of passes over the contacts that it took, at most `budget`.
     fn leap(&mut self, system: &mut System, part: Part, budget: usize, reduction: f64) -> usize {
-        let reduction = (0.1 * reduction).max(LEAP);
-        let passes = self.subspace.solve(system, part, (budget, reduction));
-        for (slot, &k) in system.island.contacts.iter().enumerate() {
-            let old = system.contacts[k].impulse;
-            let new = match part {
-                Part::Normals => {
-                    (old + self.subspace.step(slot)).max(DVec3::new(0.0, f64::MIN, f64::MIN))
-                }
-                Part::All => system.contacts[k].in_cone(old + self.subspace.step(slot)),
-            };
-            system.contacts[k].impulse = new;
-            push(system.movers, &system.contacts[k], new - old);
+        if self.leap == Some(Leap::Krylov) {
+            let reduction = (0.1 * reduction).max(LEAP);
+            return self.leap_by_gmres(system, part, (budget, reduction));
+        }
+        self.direct.solve(system.points, system.movers, part);
+        for p in system.points.iter_mut() {
+            let free = p.impulse;
+            p.impulse = p.allowed(free, part);
+            p.push(system.movers, p.impulse - free);
+        }
+        0
+    }
+
+    fn leap_by_gmres(&mut self, system: &mut System, part: Part, effort: (usize, f64)) -> usize {
+        let passes = self.subspace.solve(system, part, effort);
+        for (slot, p) in system.points.iter_mut().enumerate() {
+            let old = p.impulse;
+            p.impulse = p.allowed(old + self.subspace.step(slot), part);
+            p.push(system.movers, p.impulse - old);
         }
         if part == Part::All {
             for (slot, step) in self.subspace.turns() {
-                let c = &mut system.contacts[system.island.contacts[slot]];
-                let normal = c.impulse.x;
-                set_turn(system.movers, c, |roll| {
+                let p = &mut system.points[slot];
+                let normal = p.impulse.x;
+                p.set_turn(system.movers, |roll| {
                     roll.in_bounds(roll.impulse + step, normal)
                 });
             }
@@ -295,55 +372,69 @@ impl Solver {
 impl System<'_> {
     /// Joints take up what contacts did to them, exactly.
     fn hold_joints(&mut self) {
-        for &assembly in &self.island.assemblies {
+        for &assembly in self.assemblies {
             self.articulation.solve(assembly, self.movers);
         }
     }
 
     /// Those of all contacts, then the angular ones of those that have any.
     fn impulses(&self) -> impl Iterator<Item = DVec3> + '_ {
-        let contacts = || self.island.contacts.iter().map(|&k| &self.contacts[k]);
-        let rolls = contacts().filter_map(|c| c.roll.as_ref());
-        contacts()
-            .map(|c| c.impulse)
+        let rolls = self.points.iter().filter_map(|p| p.roll.as_ref());
+        self.points
+            .iter()
+            .map(|p| p.impulse)
             .chain(rolls.map(|roll| roll.impulse))
     }
 
     fn set_impulses(&mut self, impulses: &[DVec3]) {
-        let (pushes, turns) = impulses.split_at(self.island.contacts.len());
-        for (&k, &new) in self.island.contacts.iter().zip(pushes) {
-            let change = new - self.contacts[k].impulse;
-            self.contacts[k].impulse = new;
-            push(self.movers, &self.contacts[k], change);
+        let (pushes, turns) = impulses.split_at(self.points.len());
+        for (p, &new) in self.points.iter_mut().zip(pushes) {
+            let change = new - p.impulse;
+            p.impulse = new;
+            p.push(self.movers, change);
         }
         let mut turns = turns.iter();
-        for &k in &self.island.contacts {
-            set_turn(self.movers, &mut self.contacts[k], |roll| {
+        for p in self.points.iter_mut() {
+            p.set_turn(self.movers, |roll| {
                 turns.next().copied().unwrap_or(roll.impulse)
             });
         }
         self.hold_joints();
     }
 
+    /// So many sweeps, the first of which is the `first` of all; less when one changes less than the tolerance or more
+    /// than `astray`. Returns the last one's residual, and how many were made.
+    fn sweeps(
+        &mut self,
+        part: Part,
+        first: usize,
+        (most, tolerance): (usize, f64),
+        astray: f64,
+    ) -> (f64, usize) {
+        for made in 1..=most {
+            let residual = self.sweep(part, (first + made) % 2 == 0);
+            if residual < tolerance || residual > astray || made == most {
+                return (residual, made);
+            }
+        }
+        (f64::INFINITY, 0)
+    }
+
     /// One sweep; returns the greatest change of a relative velocity [m/s]. Every other sweep goes backwards: what a
     /// stack passes on reaches both its ends.
     fn sweep(&mut self, part: Part, backwards: bool) -> f64 {
         let mut worst = 0.0_f64;
-        let which = &self.island.contacts;
-        for step in 0..which.len() {
-            let slot = if backwards {
-                which.len() - 1 - step
-            } else {
-                step
-            };
-            let contact = &mut self.contacts[which[slot]];
-            let old = contact.impulse;
-            solve_contact(self.movers, contact, part);
-            let change = (contact.impulse - old) * contact.stiffness();
-            worst = worst.max(change.abs().max_element());
+        let movers = &mut *self.movers;
+        let mut visit = |p: &mut Point| {
+            worst = worst.max(p.solve(movers, part));
             if part == Part::All {
-                worst = worst.max(solve_roll(self.movers, contact));
+                worst = worst.max(p.solve_roll(movers));
             }
+        };
+        if backwards {
+            self.points.iter_mut().rev().for_each(&mut visit);
+        } else {
+            self.points.iter_mut().for_each(&mut visit);
         }
         self.hold_joints();
         worst
@@ -352,75 +443,9 @@ impl System<'_> {
     /// Static contacts on the rim of their disc that slip nevertheless become kinetic.
     fn release_slipping(&mut self, noticeable: f64) -> bool {
         let mut any = false;
-        for &k in &self.island.contacts {
-            let c = &mut self.contacts[k];
-            let full = c.coefficients.static_friction * c.impulse.x;
-            let held = length(c.impulse.y, c.impulse.z) < full * (1.0 - 1e-9);
-            if c.friction == Friction::Kinetic || held || c.impulse.x == 0.0 {
-                continue;
-            }
-            let u = c.velocity_ahead(self.movers);
-            if length(u.y, u.z) > noticeable {
-                c.friction = Friction::Kinetic;
-                any = true;
-            }
+        for p in self.points.iter_mut() {
+            any |= p.release(self.movers, noticeable);
         }
         any
-    }
-}
-
-/// The exact answer of one contact, the others held.
-fn solve_contact(movers: &mut [Mover], c: &mut Contact, part: Part) {
-    let u = c.velocity_ahead(movers);
-    let old = c.impulse;
-    let missing = c.target - u.x - c.give * old.x;
-    let normal = (old.x + missing / (c.k_normal + c.give)).max(0.0);
-    let change = normal - old.x;
-    // Velocity of the tangents with the new normal impulse and without friction.
-    let b1 = u.y + c.k_coupling.0 * change - c.k_tangent.0 * old.y;
-    let b2 = u.z + c.k_coupling.1 * change - c.k_tangent.1 * old.z;
-    let (p1, p2) = match part {
-        Part::Normals => (old.y, old.z),
-        Part::All => friction_in_disc((b1, b2), c.k_tangent, c.friction_coefficient() * normal),
-    };
-    c.impulse = DVec3::new(normal, p1, p2);
-    push(movers, c, c.impulse - old);
-}
-
-fn push(movers: &mut [Mover], c: &Contact, impulse: DVec3) {
-    if impulse == DVec3::ZERO {
-        return;
-    }
-    let p = c.to_world(impulse);
-    movers[c.bodies.0].push(p, c.arms.0);
-    movers[c.bodies.1].push(-p, c.arms.1);
-}
-
-/// The exact answer of the rolling and spinning friction of a contact, all else held; returns the change as a speed.
-fn solve_roll(movers: &mut [Mover], c: &mut Contact) -> f64 {
-    if c.roll.is_none() {
-        return 0.0;
-    }
-    let (w, normal) = (c.turning(movers), c.impulse.x);
-    set_turn(movers, c, |roll| roll.answer(roll.to_local(w), normal))
-}
-
-/// Change the angular impulse of a contact that has any; returns the change as a speed.
-fn set_turn(movers: &mut [Mover], c: &mut Contact, new: impl FnOnce(&Roll) -> DVec3) -> f64 {
-    let Some(roll) = &mut c.roll else {
-        return 0.0;
-    };
-    let new = new(roll);
-    let change = new - roll.impulse;
-    roll.impulse = new;
-    let (q, speed) = (roll.to_world(change), roll.speed_of(change, c.k_normal));
-    turn(movers, c, q);
-    speed
-}
-
-fn turn(movers: &mut [Mover], c: &Contact, q: DVec3) {
-    if q != DVec3::ZERO {
-        movers[c.bodies.0].turn(q);
-        movers[c.bodies.1].turn(-q);
     }
 }

@@ -13,9 +13,9 @@
 
 use glam::DVec3;
 
-use crate::contact::Contact;
 use crate::math::length;
 use crate::mover::{Part, Twist};
+use crate::point::Point;
 use crate::roll::Roll;
 use crate::solver::System;
 
@@ -41,8 +41,8 @@ struct Freedom {
 }
 
 impl Freedom {
-    fn of(c: &Contact, part: Part) -> Self {
-        let limit = c.friction_coefficient() * c.impulse.x;
+    fn of(c: &Point, part: Part) -> Self {
+        let limit = c.friction * c.impulse.x;
         let rubbing = length(c.impulse.y, c.impulse.z);
         let (asked, along) = if c.impulse.x <= 0.0 {
             (DVec3::ZERO, DVec3::ZERO)
@@ -58,7 +58,7 @@ impl Freedom {
         } else {
             (DVec3::X, DVec3::ZERO)
         };
-        let k = c.stiffness();
+        let k = c.k;
         Self {
             asked,
             along,
@@ -165,17 +165,14 @@ impl Subspace {
         self.basis.resize(VECTORS + 1, Vec::new());
         let first = &mut self.basis[0];
         first.clear();
-        for &k in &system.island.contacts {
-            let c = &system.contacts[k];
+        for c in system.points.iter() {
             let freedom = Freedom::of(c, part);
-            let wanted = DVec3::X * (c.target - c.give * c.impulse.x);
-            let missing = wanted - c.velocity_ahead(system.movers);
+            let missing = DVec3::X * (-c.give * c.impulse.x) - c.velocity(system.movers);
             first.push(missing * freedom.asked * freedom.scale);
             self.freedom.push(freedom);
         }
         self.rolls.clear();
-        for (slot, &k) in system.island.contacts.iter().enumerate() {
-            let c = &system.contacts[k];
+        for (slot, c) in system.points.iter().enumerate() {
             if let Some(roll) = &c.roll {
                 let freedom = Freedom::of_roll(roll, c.impulse.x, part);
                 let missing = -roll.to_local(c.turning(system.movers));
@@ -262,19 +259,18 @@ impl Subspace {
     /// out = (A W + eps diag(A)) basis[from], scaled.
     fn multiply(&mut self, system: &mut System, from: usize, out: &mut Vec<DVec3>) {
         self.push_bodies(system, from);
-        for &assembly in &system.island.assemblies {
+        for &assembly in system.assemblies {
             system.articulation.respond(assembly, &mut self.responses);
         }
         out.clear();
         let mut unknowns = self.freedom.iter().zip(&self.basis[from]);
-        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(&mut unknowns) {
-            let c = &system.contacts[k];
+        for (c, (freedom, &unknown)) in system.points.iter().zip(&mut unknowns) {
             let given = DVec3::X * (c.give * unknown.x * freedom.scale.x);
-            let change = c.material_velocity(&self.responses) + given;
+            let change = c.relative(&self.responses[c.a()], &self.responses[c.b()]) + given;
             out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
         }
         for (&slot, (freedom, &unknown)) in self.rolls.iter().zip(unknowns) {
-            let c = &system.contacts[system.island.contacts[slot]];
+            let c = &system.points[slot];
             let turning = c.turning(&self.responses);
             let change = c
                 .roll
@@ -286,37 +282,36 @@ impl Subspace {
 
     /// What the impulses that a vector stands for do to the bodies of the island.
     fn push_bodies(&mut self, system: &System, from: usize) {
-        let (contacts, movers) = (&system.contacts, &system.movers);
+        let (points, movers) = (&system.points, &system.movers);
         self.responses.resize(movers.len(), Twist::default());
-        for &k in &system.island.contacts {
-            self.responses[contacts[k].bodies.0] = Twist::default();
-            self.responses[contacts[k].bodies.1] = Twist::default();
+        for c in points.iter() {
+            self.responses[c.a()] = Twist::default();
+            self.responses[c.b()] = Twist::default();
         }
-        for &assembly in &system.island.assemblies {
+        for &assembly in system.assemblies {
             for &body in system.articulation.bodies(assembly) {
                 self.responses[body] = Twist::default();
             }
         }
         let mut unknowns = self.freedom.iter().zip(&self.basis[from]);
-        for (&k, (freedom, &unknown)) in system.island.contacts.iter().zip(&mut unknowns) {
+        for (c, (freedom, &unknown)) in points.iter().zip(&mut unknowns) {
             if unknown == DVec3::ZERO {
                 continue;
             }
-            let c = &contacts[k];
-            let p = c.to_world(freedom.impulse(unknown, freedom.normal(unknown)));
-            for (body, impulse, arm) in [(c.bodies.0, p, c.arms.0), (c.bodies.1, -p, c.arms.1)] {
-                self.responses[body].add_scaled(&movers[body].response(impulse, arm), 1.0);
-            }
+            let impulse = freedom.impulse(unknown, freedom.normal(unknown));
+            let [a, b] = c.responses(movers, impulse);
+            self.responses[c.a()].add_scaled(&a, 1.0);
+            self.responses[c.b()].add_scaled(&b, 1.0);
         }
         for (&slot, (freedom, &unknown)) in self.rolls.iter().zip(unknowns) {
             let normal = self.freedom[slot].normal(self.basis[from][slot]);
-            let c = &contacts[system.island.contacts[slot]];
+            let c = &points[slot];
             let local = freedom.impulse(unknown, normal);
             let q = c
                 .roll
                 .as_ref()
                 .map_or(DVec3::ZERO, |roll| roll.to_world(local));
-            for (body, impulse) in [(c.bodies.0, q), (c.bodies.1, -q)] {
+            for (body, impulse) in [(c.a(), q), (c.b(), -q)] {
                 let turned = movers[body].inverse_inertia * impulse;
                 self.responses[body].angular_velocity += turned;
             }

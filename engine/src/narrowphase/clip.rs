@@ -9,6 +9,11 @@ use glam::{DMat3, DVec3};
 
 /// Lateral distances below this share of the features' size are rounding.
 const ROUNDING: f64 = 1e-11;
+/// Of two faces that lie on one another, a corner that stands out by less than this share of the other's edge is not
+/// cut off: edges that are flush but for some nanometres cross anywhere along them, in another place every step.
+const FLUSH: f64 = 1e-7;
+/// Slope up to which a face counts as lying: what stands out by FLUSH is then off by a thousandth of that in height.
+const LEVEL: f64 = 1e-3;
 /// Corners of a clipped polygon that stand out by less than this share of its size are no corners.
 const STRAIGHT: f64 = 1e-3;
 /// Segments within this angle (sine) are parallel and touch along a line.
@@ -33,6 +38,10 @@ struct Surface {
 impl Surface {
     fn height(&self, p: DVec3) -> f64 {
         self.origin.z + self.slope_x * (p.x - self.origin.x) + self.slope_y * (p.y - self.origin.y)
+    }
+
+    fn is_level(&self) -> bool {
+        self.slope_x * self.slope_x + self.slope_y * self.slope_y <= LEVEL * LEVEL
     }
 
     /// Height over a polygon's plane: N . (p - o) = 0 solved for z, with Newell's normal N.
@@ -137,7 +146,7 @@ fn point_over(a: &[DVec3], b: &[DVec3], emit: &mut impl FnMut(f64, f64, f64, f64
 /// A point inside a polygon.
 fn point_over_polygon(p: DVec3, polygon: &[DVec3], mut emit: impl FnMut(DVec3, f64)) {
     let inside = |side: Side| side.inside(p) >= -side.rounding;
-    if sides(polygon).all(inside) {
+    if sides(polygon, ROUNDING).all(inside) {
         emit(p, Surface::of_polygon(polygon).height(p));
     }
 }
@@ -180,7 +189,7 @@ fn segment_over_polygon(segment: &[DVec3], polygon: &[DVec3], mut emit: impl FnM
     let (p, d) = (segment[0], segment[1] - segment[0]);
     let surface = Surface::of_polygon(polygon);
     let (mut first, mut last) = (0.0f64, 1.0f64);
-    for side in sides(polygon) {
+    for side in sides(polygon, ROUNDING) {
         let (start, end) = (side.inside(p), side.inside(p + d));
         let crossing = unit_interval(start / (start - end));
         match (start >= -side.rounding, end >= -side.rounding) {
@@ -214,7 +223,8 @@ fn polygons(
     let Buffers { from, to } = buffers;
     from.clear();
     from.extend_from_slice(a);
-    for side in sides(b) {
+    let level = on_a.is_level() && on_b.is_level();
+    for side in sides(b, if level { FLUSH } else { ROUNDING }) {
         cut(from, &side, to);
         std::mem::swap(from, to);
     }
@@ -252,10 +262,13 @@ fn tidy(from: &[DVec3], to: &mut Vec<DVec3>) {
     }
 }
 
-/// Edges of a counter-clockwise polygon.
-fn sides(polygon: &[DVec3]) -> impl Iterator<Item = Side> + '_ {
+/// Edges of a counter-clockwise polygon; lateral distances below this share of theirs count as none.
+fn sides(polygon: &[DVec3], rounding: f64) -> impl Iterator<Item = Side> + '_ {
     let next = polygon.iter().cycle().skip(1);
-    polygon.iter().zip(next).map(|(p, q)| Side::new(*p, *q))
+    polygon
+        .iter()
+        .zip(next)
+        .map(move |(p, q)| Side::new(*p, *q, rounding))
 }
 
 /// The part of a polygon on the inner side of a line.
@@ -288,12 +301,12 @@ struct Side {
 }
 
 impl Side {
-    fn new(corner: DVec3, next: DVec3) -> Self {
+    fn new(corner: DVec3, next: DVec3, rounding: f64) -> Self {
         let along = next - corner;
         Self {
             corner,
             along,
-            rounding: ROUNDING * (along.x * along.x + along.y * along.y),
+            rounding: rounding * (along.x * along.x + along.y * along.y),
         }
     }
 

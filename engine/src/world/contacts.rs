@@ -38,6 +38,7 @@ impl World {
         let limits = Limits {
             iterations: self.settings.iterations,
             tolerance: self.settings.tolerance,
+            quiet_speed: self.settings.slip_speed,
         };
         self.solver.load_after(&self.bodies, &self.loads.free, h);
         self.report = self.solver.solve(

@@ -1,0 +1,258 @@
+//! A contact as the solver sweeps over it: what a pass reads and writes, and nothing else, side by side in memory.
+
+use glam::DVec3;
+
+use crate::contact::{Contact, Friction};
+use crate::disc::friction_in_disc;
+use crate::math::length;
+use crate::mover::{Mover, Moving, Part, Twist};
+use crate::roll::Roll;
+
+/// A contact in the solve at hand.
+#[derive(Clone, Debug)]
+pub(crate) struct Point {
+    pub(crate) bodies: (u32, u32),
+    kinetic: bool,
+    /// It touches at no more than the speed up to which friction counts as static.
+    pub(crate) quiet: bool,
+    normal: DVec3,
+    tangent_1: DVec3,
+    tangent_2: DVec3,
+    arms: (DVec3, DVec3),
+    /// What the bodies' relative velocity lacks of the one asked about: belts and turning on, less the target.
+    offset: DVec3,
+    /// Diagonal of K: normal, tangent 1, tangent 2 [1/kg].
+    pub(crate) k: DVec3,
+    /// 1 / (k + give) of the normal, 1 / k of the tangents.
+    inverse: DVec3,
+    k_coupling: (f64, f64),
+    pub(crate) give: f64,
+    /// mu of the solve at hand.
+    pub(crate) friction: f64,
+    kinetic_friction: f64,
+    /// Normal, tangent 1, tangent 2 [N s].
+    pub(crate) impulse: DVec3,
+    pub(crate) roll: Option<Box<Roll>>,
+}
+
+impl Point {
+    /// Of a contact; its rolling friction is lent out until `give_back`.
+    pub(crate) fn of(c: &mut Contact, quiet_speed: f64) -> Self {
+        #[allow(clippy::cast_possible_truncation)]
+        let bodies = (c.bodies.0 as u32, c.bodies.1 as u32);
+        let k = c.stiffness();
+        Self {
+            bodies,
+            kinetic: c.friction == Friction::Kinetic,
+            quiet: c.velocity_before.length() <= quiet_speed,
+            normal: c.normal,
+            tangent_1: c.tangent_1,
+            tangent_2: c.tangent_2,
+            arms: c.arms,
+            offset: c.surface + c.ahead - DVec3::X * c.target,
+            k,
+            inverse: 1.0 / (k + DVec3::X * c.give),
+            k_coupling: c.k_coupling,
+            give: c.give,
+            friction: c.friction_coefficient(),
+            kinetic_friction: c.coefficients.kinetic_friction,
+            impulse: c.impulse,
+            roll: c.roll.take(),
+        }
+    }
+
+    /// The results, to the contact that this is of.
+    pub(crate) fn give_back(&mut self, c: &mut Contact) {
+        c.impulse = self.impulse;
+        c.roll = self.roll.take();
+        if self.kinetic {
+            c.friction = Friction::Kinetic;
+        }
+    }
+
+    pub(crate) fn a(&self) -> usize {
+        self.bodies.0 as usize
+    }
+
+    pub(crate) fn b(&self) -> usize {
+        self.bodies.1 as usize
+    }
+
+    pub(crate) fn to_world(&self, local: DVec3) -> DVec3 {
+        self.normal * local.x + self.tangent_1 * local.y + self.tangent_2 * local.z
+    }
+
+    /// Relative velocity of two twists along normal and tangents [m/s].
+    pub(crate) fn relative(&self, a: &Twist, b: &Twist) -> DVec3 {
+        let u = a.at(self.arms.0) - b.at(self.arms.1);
+        DVec3::new(
+            u.dot(self.normal),
+            u.dot(self.tangent_1),
+            u.dot(self.tangent_2),
+        )
+    }
+
+    /// What the velocity is beyond the target, along the normal, and the slip along the tangents [m/s].
+    pub(crate) fn velocity(&self, movers: &[Mover]) -> DVec3 {
+        self.relative(&movers[self.a()].twist, &movers[self.b()].twist) + self.offset
+    }
+
+    /// Relative angular velocity, in world axes [rad/s].
+    pub(crate) fn turning(&self, moving: &[impl Moving]) -> DVec3 {
+        let (a, b) = (moving[self.a()].twist(), moving[self.b()].twist());
+        a.angular_velocity - b.angular_velocity
+    }
+
+    /// The bodies get an impulse, given along normal and tangents.
+    pub(crate) fn push(&self, movers: &mut [Mover], impulse: DVec3) {
+        if impulse == DVec3::ZERO {
+            return;
+        }
+        let p = self.to_world(impulse);
+        movers[self.a()].push(p, self.arms.0);
+        movers[self.b()].push(-p, self.arms.1);
+    }
+
+    /// What an impulse along normal and tangents does to the two bodies.
+    pub(crate) fn responses(&self, movers: &[Mover], impulse: DVec3) -> [Twist; 2] {
+        let p = self.to_world(impulse);
+        [
+            movers[self.a()].response(p, self.arms.0),
+            movers[self.b()].response(-p, self.arms.1),
+        ]
+    }
+
+    /// Rows of J for both bodies, velocity and angular velocity: normal, tangent 1, tangent 2.
+    pub(crate) fn rows(&self) -> ([[f64; 6]; 3], [[f64; 6]; 3]) {
+        let row = |d: DVec3, arm: DVec3| coordinates(d, arm.cross(d));
+        let axes = [self.normal, self.tangent_1, self.tangent_2];
+        (
+            axes.map(|d| row(d, self.arms.0)),
+            axes.map(|d| row(-d, self.arms.1)),
+        )
+    }
+
+    /// An impulse along normal and tangents, and its angular impulse, on both bodies.
+    pub(crate) fn wrenches(&self, impulse: DVec3) -> [[f64; 6]; 2] {
+        let p = self.to_world(impulse);
+        [
+            coordinates(p, self.arms.0.cross(p)),
+            coordinates(-p, self.arms.1.cross(-p)),
+        ]
+    }
+
+    /// Relative velocity of two twists in coordinates.
+    pub(crate) fn relative_of(&self, a: &[f64; 6], b: &[f64; 6]) -> DVec3 {
+        let twist = |t: &[f64; 6]| Twist {
+            velocity: DVec3::new(t[0], t[1], t[2]),
+            angular_velocity: DVec3::new(t[3], t[4], t[5]),
+        };
+        self.relative(&twist(a), &twist(b))
+    }
+
+    /// The exact answer of the contact, all others held; returns the greatest change of its velocity [m/s].
+    pub(crate) fn solve(&mut self, movers: &mut [Mover], part: Part) -> f64 {
+        let u = self.velocity(movers);
+        let old = self.impulse;
+        let normal = (old.x - (u.x + self.give * old.x) * self.inverse.x).max(0.0);
+        if normal == 0.0 && old == DVec3::ZERO {
+            return 0.0; // open, and stays so
+        }
+        let change = normal - old.x;
+        let (p1, p2) = match part {
+            Part::Normals => (old.y, old.z),
+            Part::All => {
+                // Slip with the new normal impulse and the old friction.
+                let slip_1 = u.y + self.k_coupling.0 * change;
+                let slip_2 = u.z + self.k_coupling.1 * change;
+                let stop = (
+                    old.y - slip_1 * self.inverse.y,
+                    old.z - slip_2 * self.inverse.z,
+                );
+                let radius = self.friction * normal;
+                if stop.0 * stop.0 + stop.1 * stop.1 <= radius * radius {
+                    stop
+                } else {
+                    let k = (self.k.y, self.k.z);
+                    friction_in_disc((slip_1 - k.0 * old.y, slip_2 - k.1 * old.z), k, radius)
+                }
+            }
+        };
+        self.impulse = DVec3::new(normal, p1, p2);
+        let change = self.impulse - old;
+        self.push(movers, change);
+        (change * self.k).abs().max_element()
+    }
+
+    /// What of an impulse is allowed: no pull, and friction within the cone where it is solved for.
+    pub(crate) fn allowed(&self, impulse: DVec3, part: Part) -> DVec3 {
+        match part {
+            Part::Normals => DVec3::new(impulse.x.max(0.0), impulse.y, impulse.z),
+            Part::All => self.in_cone(impulse),
+        }
+    }
+
+    /// The impulse brought into Coulomb's cone: no pull, friction shortened to mu times the normal impulse.
+    fn in_cone(&self, impulse: DVec3) -> DVec3 {
+        let normal = impulse.x.max(0.0);
+        let (limit, length) = (self.friction * normal, length(impulse.y, impulse.z));
+        let scale = if length > limit { limit / length } else { 1.0 };
+        DVec3::new(normal, impulse.y * scale, impulse.z * scale)
+    }
+
+    /// Static and on the rim of the disc, but slips faster than `noticeable`: kinetic from now on.
+    pub(crate) fn release(&mut self, movers: &[Mover], noticeable: f64) -> bool {
+        let full = self.friction * self.impulse.x;
+        let held = length(self.impulse.y, self.impulse.z) < full * (1.0 - 1e-9);
+        if self.kinetic || held || self.impulse.x == 0.0 {
+            return false;
+        }
+        let u = self.velocity(movers);
+        if length(u.y, u.z) <= noticeable {
+            return false;
+        }
+        self.kinetic = true;
+        self.friction = self.kinetic_friction;
+        true
+    }
+
+    /// The exact answer of rolling and spinning friction, all else held; returns the change as a speed [m/s].
+    pub(crate) fn solve_roll(&mut self, movers: &mut [Mover]) -> f64 {
+        if self.roll.is_none() {
+            return 0.0;
+        }
+        let (w, normal) = (self.turning(movers), self.impulse.x);
+        self.set_turn(movers, |roll| roll.answer(roll.to_local(w), normal))
+    }
+
+    /// Change the angular impulse, where there is any; returns the change as a speed [m/s].
+    pub(crate) fn set_turn(
+        &mut self,
+        movers: &mut [Mover],
+        new: impl FnOnce(&Roll) -> DVec3,
+    ) -> f64 {
+        let Some(roll) = &mut self.roll else {
+            return 0.0;
+        };
+        let new = new(roll);
+        let change = new - roll.impulse;
+        roll.impulse = new;
+        let (q, speed) = (roll.to_world(change), roll.speed_of(change, self.k.x));
+        self.turn(movers, q);
+        speed
+    }
+
+    /// The bodies get an angular impulse, in world axes.
+    pub(crate) fn turn(&self, movers: &mut [Mover], q: DVec3) {
+        if q != DVec3::ZERO {
+            movers[self.a()].turn(q);
+            movers[self.b()].turn(-q);
+        }
+    }
+}
+
+fn coordinates(linear: DVec3, angular: DVec3) -> [f64; 6] {
+    [
+        linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
+    ]
+}
