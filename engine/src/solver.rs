@@ -339,7 +339,8 @@ impl Solver {
             let reduction = (0.1 * reduction).max(LEAP);
             return self.leap_by_gmres(system, part, (budget, reduction));
         }
-        self.direct.solve(system.points, system.movers, part);
+        self.direct
+            .solve(system.points, system.movers, (part, reduction));
         for p in system.points.iter_mut() {
             let free = p.impulse;
             p.impulse = p.allowed(free, part);
