@@ -72,23 +72,14 @@ impl Direct {
 
     /// Push the contacts to where the ones that carry now all reach their targets; impulses may leave their cones.
     /// Only where it `suits`.
-    /// A `reduction` of the residual beyond what the compliance leaves takes a second solve with the same factor.
-    pub(crate) fn solve(
-        &mut self,
-        points: &mut [Point],
-        movers: &mut [Mover],
-        (part, reduction): (Part, f64),
-    ) {
+    pub(crate) fn solve(&mut self, points: &mut [Point], movers: &mut [Mover], part: Part) {
         self.asked.clear();
         self.asked.extend(points.iter().map(|p| asked_of(p, part)));
         self.assemble(points, movers);
         self.factor();
-        let solves = if reduction < COMPLIANCE { 2 } else { 1 };
-        for _ in 0..solves {
-            self.load(points, movers);
-            self.divide();
-            self.give(points, movers);
-        }
+        self.load(points, movers);
+        self.divide();
+        self.give(points, movers);
     }
 
     /// `twists` := J^T C^-1 r

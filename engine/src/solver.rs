@@ -33,7 +33,7 @@ use crate::mover::{Mover, Part, Twist};
 use crate::point::Point;
 use crate::subspace::Subspace;
 
-/// Sweeps between two linear solves.
+/// Sweeps between two linear solves; twice as many where these are not exact.
 const SWEEPS: usize = 2;
 /// Passes of all linear solves together, per sweep allowed. With fewer a pyramid of 210 boxes does not come to rest.
 const PASSES: usize = 6;
@@ -43,6 +43,9 @@ const LEAP: f64 = 1e-3;
 
 /// After a leap, a first sweep that changes this many times as much as before says that the guess was wrong.
 const ASTRAY: f64 = 8.0;
+/// A tolerance below this [m/s], such as that of impacts, is too fine for direct solves: they divide rounding errors by
+/// their compliance.
+const DIGITS: f64 = 1e-8;
 /// Wrong guesses that are dear, in one solve.
 const MISTAKES: usize = 3;
 /// Products of blocks per contact that a direct solve may take at any time: what a few sweeps cost.
@@ -115,7 +118,7 @@ enum Leap {
         /// It costs no more than a few sweeps.
         cheap: bool,
     },
-    /// By GMRES, where there are joints or rolling friction.
+    /// By GMRES, where there are joints or rolling friction, and in impacts.
     Krylov,
     /// Not at all: it would cost more than it brings.
     Never,
@@ -183,7 +186,9 @@ impl Solver {
         points.clear();
         let members = island.contacts.iter();
         points.extend(members.map(|&k| Point::of(&mut contacts[k], limits.quiet_speed)));
-        (self.leap, self.wrong) = (None, 0);
+        let coupled = !island.assemblies.is_empty() || points.iter().any(|p| p.roll.is_some());
+        let krylov = coupled || limits.tolerance < DIGITS;
+        (self.leap, self.wrong) = (krylov.then_some(Leap::Krylov), 0);
         for p in &points {
             p.push(&mut movers, p.impulse);
             let q = p
@@ -265,7 +270,10 @@ impl Solver {
     /// then its impulses are taken back, and the next guess waits longer.
     fn iterate(&mut self, system: &mut System, part: Part, limits: Limits) -> Report {
         let mut iterations = 0;
-        let mut patience = SWEEPS;
+        let mut patience = match self.leap {
+            Some(Leap::Krylov) => 2 * SWEEPS,
+            _ => SWEEPS,
+        };
         let mut passes = PASSES * limits.iterations;
         let mut start = f64::INFINITY;
         loop {
@@ -319,9 +327,6 @@ impl Solver {
     /// others every step, and a dear guess at them is seldom right.
     fn choose_leap(&mut self, system: &System) -> Leap {
         let points = &*system.points;
-        if !system.assemblies.is_empty() || points.iter().any(|p| p.roll.is_some()) {
-            return Leap::Krylov;
-        }
         let mut within = |products| self.direct.suits(points, system.movers, products);
         if within(CHEAP * points.len()) {
             Leap::Direct { cheap: true }
@@ -339,8 +344,7 @@ impl Solver {
             let reduction = (0.1 * reduction).max(LEAP);
             return self.leap_by_gmres(system, part, (budget, reduction));
         }
-        self.direct
-            .solve(system.points, system.movers, (part, reduction));
+        self.direct.solve(system.points, system.movers, part);
         for p in system.points.iter_mut() {
             let free = p.impulse;
             p.impulse = p.allowed(free, part);
