@@ -185,6 +185,16 @@ impl PyWorld {
         Ok(out)
     }
 
+    /// Of all that moves: linear momentum, and angular momentum about the world's origin.
+    fn momentum<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let (linear, angular) = self.world.momentum();
+        let out = PyDict::new(py);
+        for (name, value) in [("linear", linear), ("angular", angular)] {
+            out.set_item(name, value.to_array().to_vec().into_pyarray(py))?;
+        }
+        Ok(out)
+    }
+
     /// Loads, coordinates and errors of joints at this instant.
     fn joints<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let loads = guarded(|| self.world.joint_loads())?;

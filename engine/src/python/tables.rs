@@ -13,7 +13,7 @@ pub(super) fn table<'py, const K: usize>(
     py: Python<'py>,
     rows: impl Iterator<Item = [f64; K]>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let flat: Vec<f64> = rows.flatten().collect();
+    let flat = rows.collect::<Vec<_>>().into_flattened();
     let count = flat.len() / K;
     PyArray1::from_vec(py, flat).reshape([count, K])
 }

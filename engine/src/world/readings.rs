@@ -100,6 +100,19 @@ impl World {
         out
     }
 
+    /// Linear momentum, sum of m v, and angular momentum about the world's origin, sum of m x cross v + L, of all that moves
+    /// [kg m/s, kg m^2/s].
+    #[must_use]
+    pub fn momentum(&self) -> (DVec3, DVec3) {
+        let mut out = (DVec3::ZERO, DVec3::ZERO);
+        for body in self.bodies.iter().filter(|b| !b.is_fixed()) {
+            let p = body.mass.mass * body.state.velocity;
+            out.0 += p;
+            out.1 += body.state.position.cross(p) + body.state.angular_momentum;
+        }
+        out
+    }
+
     /// [s] since the start: the number of steps times the timestep.
     #[must_use]
     pub fn time(&self) -> f64 {

@@ -1,0 +1,129 @@
+//! A step takes no memory once its lists have grown to what the scene needs: counted by the allocator.
+
+// An allocator can be written in no other way; this one hands everything on to the system's.
+#![allow(unsafe_code)]
+
+mod common;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use _engine::body::{MassProperties, State};
+use _engine::collide::NoOracle;
+use _engine::integrator::Integrator;
+use _engine::model::{Geom, Model};
+use _engine::shape::Shape;
+use _engine::world::World;
+use common::empty_model;
+use glam::{DMat3, DQuat, DVec3};
+
+thread_local! {
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+/// Counts what each thread asks for.
+struct Counting;
+
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.with(|count| count.set(count.get() + 1));
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        COUNT.with(|count| count.set(count.get() + 1));
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn add(model: &mut Model, shape: Shape, position: DVec3, mass: MassProperties) {
+    let state = State {
+        position,
+        orientation: DQuat::IDENTITY,
+        velocity: DVec3::ZERO,
+        angular_momentum: DVec3::ZERO,
+    };
+    model.geoms.push(Geom {
+        body: model.bodies.len(),
+        shape,
+        position: DVec3::ZERO,
+        rotation: DMat3::IDENTITY,
+        material: 0,
+    });
+    model.bodies.push((mass, state, DVec3::ZERO));
+}
+
+/// Cubes in pairs, one on the other, with a ball beside each, on a floor.
+fn pairs(integrator: Integrator) -> World {
+    let mut model = empty_model(1.0 / 240.0, 0.2, 0.5);
+    model.settings.integrator = integrator;
+    let inertia = DMat3::from_diagonal(DVec3::splat(4e-3));
+    let cube = Shape::Box {
+        half: DVec3::splat(0.1),
+    };
+    let still = MassProperties::fixed();
+    add(&mut model, Shape::HalfSpace, DVec3::ZERO, still);
+    for k in 0..8 {
+        let (column, row) = (f64::from(k % 4), f64::from(k / 4));
+        let place = DVec3::new(0.5 * column, 0.0, 0.11 + 0.205 * row);
+        add(
+            &mut model,
+            cube.clone(),
+            place,
+            MassProperties::new(1.0, inertia),
+        );
+    }
+    for k in 0..4 {
+        let place = DVec3::new(0.5 * f64::from(k), 0.5, 0.1);
+        let ball = Shape::Sphere { radius: 0.1 };
+        add(&mut model, ball, place, MassProperties::new(1.0, inertia));
+    }
+    World::new(model)
+}
+
+fn allocations(world: &mut World, steps: usize) -> usize {
+    let before = COUNT.with(Cell::get);
+    for _ in 0..steps {
+        world.step(&mut NoOracle).expect("no step fails");
+    }
+    COUNT.with(Cell::get) - before
+}
+
+#[test]
+fn what_rests_takes_no_memory() {
+    for integrator in [Integrator::SemiImplicitEuler, Integrator::VelocityVerlet] {
+        let mut world = pairs(integrator);
+        assert!(allocations(&mut world, 1) > 0, "the counter counts");
+        allocations(&mut world, 960);
+        world.take_events();
+        assert_eq!(allocations(&mut world, 240), 0, "{integrator:?}");
+    }
+}
+
+#[test]
+fn free_flight_takes_no_memory_from_the_second_step_on() {
+    let mut model = empty_model(1e-3, 0.0, 0.0);
+    let inertia = DMat3::from_diagonal(DVec3::new(1.0, 2.0, 3.0));
+    let cube = Shape::Box {
+        half: DVec3::splat(0.1),
+    };
+    for k in 0..10 {
+        let place = DVec3::new(f64::from(k), 0.0, 0.0);
+        add(
+            &mut model,
+            cube.clone(),
+            place,
+            MassProperties::new(1.0, inertia),
+        );
+    }
+    let mut world = World::new(model);
+    allocations(&mut world, 2);
+    assert_eq!(allocations(&mut world, 1000), 0);
+}
