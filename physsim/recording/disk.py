@@ -79,7 +79,11 @@ class Disk(io.RawIOBase):
         view = memoryview(data).cast("B")
         for number, first, last in _pieces(self._at, len(view)):
             begin = number * PAGE - self._at
-            self._page(number)[first:last] = view[begin + first : begin + last]
+            part = view[begin + first : begin + last]
+            if len(part) == PAGE:
+                self._pages[number] = bytearray(part)
+            else:
+                self._page(number)[first:last] = part
         self._at += len(view)
         self._size = max(self._size, self._at)
         return len(view)
@@ -114,7 +118,8 @@ class Disk(io.RawIOBase):
 
     def _page(self, number: int) -> bytearray:
         if number not in self._pages:
-            there = os.pread(self._handle, PAGE, number * PAGE)
+            beyond = number * PAGE >= self._end
+            there = b"" if beyond else os.pread(self._handle, PAGE, number * PAGE)
             self._pages[number] = bytearray(there.ljust(PAGE, b"\0"))
         return self._pages[number]
 
@@ -122,7 +127,7 @@ class Disk(io.RawIOBase):
         old, new = self._end, self._size
         if new > old:
             _claim(self._handle, old, new)
-        runs = [(start, data[: max(new - start, 0)]) for start, data in self._runs()]
+        runs = [(start, memoryview(data)[: max(new - start, 0)]) for start, data in self._runs()]
         for start, data in runs:
             _write_all(self._handle, data[max(old - start, 0) :], max(start, old))
         for start, data in runs:
@@ -164,7 +169,7 @@ def _claim(handle: int, old: int, new: int) -> None:
         os.ftruncate(handle, new)
 
 
-def _write_all(handle: int, data: bytes, at: int) -> None:
+def _write_all(handle: int, data: memoryview, at: int) -> None:
     while data:
         written = os.pwrite(handle, data, at)
         data, at = data[written:], at + written

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from physsim.recording import layout
 from physsim.recording.column import Column
 from physsim.recording.create import axis_dataset
+from physsim.recording.packed import put
 from physsim.recording.pending import Pending
 
 
@@ -49,7 +50,7 @@ class Growing:
         dataset = self._datasets[column.path]
         start = dataset.shape[0]
         dataset.resize(start + len(added), axis=0)
-        dataset[start:] = added
+        put(dataset, start, added)
         axis = self._axes.get((column.group, column.dims[0]))
         if axis is not None:
             axis.resize(start + len(added), axis=0)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from physsim.recording.orientation import rotation_matrices
+from physsim.recording.orientation import rotated
 
 if TYPE_CHECKING:
     from physsim.model import Model
@@ -33,9 +33,6 @@ class Measure:
     """Turns what a world hands out into rows by dataset path; knows what of the model that takes."""
 
     def __init__(self, model: Model) -> None:
-        self._moving = ~np.asarray(model.fixed, bool)
-        self._mass = np.asarray(model.mass)[self._moving]
-        self._inertia = np.asarray(model.inertia)[self._moving]
         self._center = np.asarray(model.center_of_mass)
         self._timestep = float(model.spec.simulation.timestep)
         self._pair_rows = pair_rows(len(model.material_names))
@@ -56,7 +53,7 @@ class Measure:
             "velocity": state["velocity"],
             "angular_velocity": state["angular_velocity"],
             **{f"solver/{name}": solver[name] for name in _OF_THE_SOLVER},
-            **self.momentum(state),
+            **self.momentum(world),
         }
         if self._energy:
             rows |= {f"energy/{name}": value for name, value in world.energies().items()}
@@ -87,25 +84,23 @@ class Measure:
         """Impacts since the last call, one row each."""
         return {f"events/{name}": rows for name, rows in world.events().items()}
 
-    def momentum(self, state: dict[str, Any]) -> dict[str, Floats]:
-        """P = sum m v and, about the world's origin, L = sum (m x × v + R I R^T ω), over moving bodies.
+    @staticmethod
+    def momentum(world: Any) -> Rows:
+        """P = sum m v and, about the world's origin, L = sum (m x × v + L_body), over moving bodies.
 
         Goldstein, Classical Mechanics, 3rd ed., eqs. 1.26 and 1.28.
         """
-        x, q, v, w = (
-            state[name][self._moving] for name in ("position", "orientation", "velocity", "angular_velocity")
-        )
-        p = self._mass[:, None] * v
-        turn = rotation_matrices(q)
-        spin = np.einsum("nij,njk,nlk,nl->ni", turn, self._inertia, turn, w)
-        return {"momentum/linear": p.sum(axis=0), "momentum/angular": (np.cross(x, p) + spin).sum(axis=0)}
+        return {f"momentum/{name}": value for name, value in world.momentum().items()}
 
 
 def origins(center: Floats, orientation: Floats, offset: Floats) -> Floats:
     """Body origins (N, 3) from centres of mass (N, 3), quaternions (N, 4) and offsets in body axes: x -
     R(q) c.
     """
-    found: Floats = center - np.einsum("nij,nj->ni", rotation_matrices(orientation), offset)
+    found = np.array(center)
+    apart = np.flatnonzero(offset.any(axis=1))
+    if len(apart):
+        found[apart] -= rotated(orientation[apart], offset[apart])
     return found
 
 

@@ -128,12 +128,11 @@ class Watch:
         bodies only those that are watched, at their centres of mass.
         """
         rows: Rows = {group: getattr(world, group)() for group in self._asked}
-        if self._fields or "momentum" in self._groups:
+        if self._fields:
             state = world.state()
-            for name in self._fields:
-                rows[name] = state[name][self._rows]
-            if "momentum" in self._groups:
-                rows |= self._measure.momentum(state)
+            rows |= {name: state[name][self._rows] for name in self._fields}
+        if "momentum" in self._groups:
+            rows |= self._measure.momentum(world)
         return rows
 
     def contacts(self, world: Any) -> Rows:
