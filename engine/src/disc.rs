@@ -15,7 +15,12 @@ pub(crate) fn friction_in_disc(b: (f64, f64), k: (f64, f64), radius: f64) -> (f6
     if radius <= 0.0 {
         return (0.0, 0.0);
     }
-    let mut s = (length(b.0, b.1) / radius - k.0.max(k.1)).max(0.0);
+    let slip = length(b.0, b.1);
+    if radius * k.0.max(k.1) <= 1e-17 * slip {
+        // K is lost beside s; of impulses that fade away over many steps the squares would underflow below.
+        return (-b.0 / slip * radius, -b.1 / slip * radius);
+    }
+    let mut s = (slip / radius - k.0.max(k.1)).max(0.0);
     for _ in 0..20 {
         let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
         let size = length(p.0, p.1);
@@ -39,6 +44,15 @@ mod tests {
     fn friction_stops_the_slip_inside_the_disc() {
         let p = friction_in_disc((0.3, -0.2), (2.0, 5.0), 10.0);
         assert_eq!(p, (-0.15, 0.04));
+    }
+
+    #[test]
+    fn a_disc_of_hardly_any_radius_is_reached() {
+        for radius in [1e-18, 3.098e-120, 1e-300] {
+            let p = friction_in_disc((0.53, 2.8e-18), (0.84, 0.84), radius);
+            assert!((length(p.0 / radius, p.1 / radius) - 1.0).abs() < 1e-15);
+            assert!(p.0 < 0.0);
+        }
     }
 
     #[test]
