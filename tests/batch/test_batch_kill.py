@@ -95,8 +95,10 @@ def test_two_sweeps_do_not_write_to_one_folder(write, tmp_path: Path) -> None:
     first = start(trial, "-o", "out")
     while first.poll() is None and not lines(tmp_path / "out"):
         time.sleep(0.01)
+    psutil.Process(first.pid).suspend()  # it would be through before the second has begun
     second = start(trial, "-o", "out")
     _, complained = second.communicate(timeout=60)
+    psutil.Process(first.pid).resume()
     assert finished(first) == 0
     assert second.returncode == 3
     assert "another sweep is writing to this folder" in complained
