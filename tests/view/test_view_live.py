@@ -10,7 +10,7 @@ from urllib.parse import urlsplit
 import h5py
 import numpy as np
 import pytest
-from view_watcher import PATIENCE, HeldUp, Offer, Watcher, begun, frames, get, offers
+from view_watcher import PATIENCE, HeldUp, Offer, Watcher, begun, frames, get, messages, offers
 
 import physsim
 from physsim import open_trajectory
@@ -115,9 +115,9 @@ class TestWhatPagesGet:
     def test_a_run_that_dies_has_an_end_too(self, offer) -> None:
         offered = offer()
         begun(offered.feed)
-        watcher = Watcher(offered.address())
-        offered.feed.close()
-        (end,) = watcher.wait()
+        with get(offered.address(), "frames?after=-1") as answer:  # the stream has begun
+            offered.feed.close()
+            (end,) = messages(answer)
         assert (end.kind, end.facts["status"]) == ("end", "failed")
 
     def test_the_page_stands_alone_but_for_its_frames(self, offer) -> None:

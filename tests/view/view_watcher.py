@@ -35,9 +35,14 @@ def frames(address: str, after: int = -1) -> Iterator[Message]:
     """Messages of the stream until it ends, but the signs that it is alive."""
     with get(address, f"frames?after={after}") as answer:
         assert answer.status == 200
-        while (got := read(answer)) is not None:
-            if got[0].kind != "alive":
-                yield got[0]
+        yield from messages(answer)
+
+
+def messages(answer: http.client.HTTPResponse) -> Iterator[Message]:
+    """Those of a stream that has begun, until it ends."""
+    while (got := read(answer)) is not None:
+        if got[0].kind != "alive":
+            yield got[0]
 
 
 class Watcher:
