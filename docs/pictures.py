@@ -24,6 +24,7 @@ from physsim.view.picture.sheet import sheet_of, write_png
 HERE = Path(__file__).parent
 sys.path.append(str(HERE.parent / "tests" / "view"))
 from view_chromium import find_browser, started  # noqa: E402, a module of the tests
+
 IMAGES = HERE / "images"
 SCENES = HERE.parent / "scenes"
 SETTLED = 3000
