@@ -5,7 +5,7 @@
 //! close them somewhere else. Such a step is taken back and made in two halves, and these again if need be. Steps
 //! that can be made whole are not touched.
 
-use super::dynamics::{Dynamics, Scratch};
+use super::dynamics::Dynamics;
 use super::Integrator;
 use crate::body::{Body, State};
 use crate::force::Powers;
@@ -35,11 +35,14 @@ impl Integrator {
     }
 
     fn divide(self, bodies: &mut [Body], d: &mut Dynamics, halvings: usize) {
+        if halvings == 0 || d.fastest_turn(bodies) <= SLOW {
+            self.step(bodies, d);
+            return;
+        }
         let mark = d.mark(bodies);
         d.closed = true;
-        let may_divide = halvings > 0 && d.fastest_turn(bodies) > SLOW;
         self.step(bodies, d);
-        if !d.closed && may_divide {
+        if !d.closed {
             d.go_back(bodies, &mark);
             let (start, length) = d.span;
             for part in [0.0, 0.5] {
@@ -48,7 +51,7 @@ impl Integrator {
             }
             d.span = (start, length);
         }
-        d.scratch.forget(mark);
+        d.scratch.marks.push(mark);
     }
 }
 
@@ -83,11 +86,5 @@ impl Dynamics<'_> {
             most.max(b.angular_velocity.length())
         });
         fastest * self.span.1
-    }
-}
-
-impl Scratch {
-    fn forget(&mut self, mark: Mark) {
-        self.marks.push(mark);
     }
 }
