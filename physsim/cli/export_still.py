@@ -31,19 +31,17 @@ class Times(click.ParamType[tuple[float, ...]]):
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> tuple[float, ...]:
         """In seconds; none for `all`."""
-        from physsim.scene.units import UnitError, parse_measure
+        from physsim.scene.units import PLAIN, UnitError, parse_measure, parse_unit, same
 
         if isinstance(value, tuple) or value == "all":
             return value if isinstance(value, tuple) else ()
-        times = []
+        times, second = [], parse_unit("s").dimension
         for part in str(value).split(","):
             try:
                 measure = parse_measure(part.strip())
             except UnitError as error:
                 self.fail(f"{part.strip()!r} is no time: {error}", param, ctx)
-            if any(power != (1.0 if k == 2 else 0.0) for k, power in enumerate(measure.dimension)) and any(
-                measure.dimension
-            ):
+            if not any(same(measure.dimension, allowed) for allowed in (PLAIN, second)):
                 self.fail(f"{part.strip()!r} is no time", param, ctx)
             times.append(measure.value)
         return tuple(times)

@@ -20,9 +20,7 @@ from physsim.view.picture.signs import Signs
 from physsim.view.picture.things import Extra
 from physsim.view.stage import FloatArray, Stage, stage_of
 
-SIGNS = ("contacts", "joints", "springs", "trails", "frames", "labels")
 USUAL_SIGNS = ("springs",)
-WORDS = ("time", "scale", "title")
 USUAL_WORDS = ("time", "scale")
 LOOKED_AT = 120
 """The camera is placed by the poses at so many instants, evenly chosen."""
@@ -33,9 +31,9 @@ MOST_TRAILS, TRAIL_POINTS, MOST_ARROWS = 60, 600, 300
 
 @dataclass(frozen=True)
 class Look:
-    """What a user may say of a picture. size: pixels across and down; signs: of `SIGNS`; words: of `WORDS`;
-    follow: a body that the camera keeps up with; by_speed: bodies have the colour of their speed, not of
-    their material.
+    """What a user may say of a picture. size: pixels across and down; signs and words: of `--show` and of
+    `--caption`; follow: a body that the camera keeps up with; by_speed: bodies have the colour of
+    their speed, not of their material.
     """
 
     size: tuple[int, int] = (1280, 720)
