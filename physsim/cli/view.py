@@ -4,13 +4,12 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from physsim.cli import output
+from physsim.cli import output, serving
 from physsim.cli.verb import Example, Verb, debug_option, json_option
 
 if TYPE_CHECKING:
@@ -148,11 +147,9 @@ def _serve(page: Page, port: int, *, show: bool, as_json: bool) -> None:
             output.document("view", 0, address=server.address, **facts(page))
         else:
             output.result(server.address)
-            output.message("The page stays until Ctrl-C.")
         if show:
             _open(server.address)
-        with suppress(KeyboardInterrupt):
-            server.serve_forever()
+        serving.stay(server.serve_forever, told=not as_json)
 
 
 def _open(address: str) -> None:

@@ -9,12 +9,12 @@ import socket
 import sys
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import click
 
-from physsim.cli import output, progress
+from physsim.cli import output, progress, serving
 
 if TYPE_CHECKING:
     from physsim.view.live.feed import Feed
@@ -38,10 +38,8 @@ def offered(wanted: bool, port: int | None) -> Iterator[Feed | None]:
 
 def stay(feed: Feed) -> None:
     """On a terminal the page can be loaded until Ctrl-C, and the run has been told of by then."""
-    if feed.began and progress.on_terminal():
-        output.message("The page stays until Ctrl-C.")
-        with suppress(KeyboardInterrupt):
-            feed.stay()
+    if progress.on_terminal() and feed.has_page():
+        serving.stay(feed.stay)
 
 
 def _check(wanted: bool, port: int) -> None:

@@ -210,10 +210,12 @@ class TestEnds:
             *_, end = messages
         assert (end.kind, end.facts["status"]) == ("end", "failed")
 
-    def test_on_a_terminal_the_page_stays_until_ctrl_c(self, tmp_path: Path) -> None:
+    @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+    def test_on_a_terminal_the_page_stays_until_ctrl_c(self, tmp_path: Path, number: signal.Signals) -> None:
+        """Also where a shell has started it with SIGINT ignored."""
         master, slave = pty.openpty()
         with subprocess.Popen(
-            [*PHYSSIM, "run", "fall.yaml", "--watch"],
+            ["/bin/sh", "-c", "trap '' INT; exec \"$@\"", "-", *PHYSSIM, "run", "fall.yaml", "--watch"],
             cwd=tmp_path,
             env=clean_environment(TERM="xterm-256color"),
             stdin=subprocess.DEVNULL,
@@ -221,14 +223,17 @@ class TestEnds:
             stderr=slave,
         ) as process:
             os.close(slave)
-            seen = ""
-            while "until Ctrl-C" not in seen:
-                seen += os.read(master, 65536).decode()
-            found = ADDRESS.search(seen)
-            assert found
-            *_, last, end = stream(found[1])
-            process.send_signal(signal.SIGINT)
-            assert process.wait(PATIENCE) == 0
+            try:
+                seen = ""
+                while "until Ctrl-C" not in seen:
+                    seen += os.read(master, 65536).decode()
+                found = ADDRESS.search(seen)
+                assert found
+                *_, last, end = stream(found[1])
+                process.send_signal(number)
+                assert process.wait(PATIENCE) == 0
+            finally:
+                process.kill()
         os.close(master)
         assert (last.facts["frame"], end.facts["status"]) == (20, "complete")
         assert is_gone(found[1])
@@ -253,3 +258,29 @@ def test_a_browser_is_opened_where_there_is_a_display(tmp_path: Path) -> None:
                 break
             time.sleep(0.1)
     assert (tmp_path / "seen.txt").read_text() == f"{address} <!doctype html> True"
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_served_page_ends_when_it_is_told_to(physsim, tmp_path: Path, number: signal.Signals) -> None:
+    """Also where a shell has started it with SIGINT ignored."""
+    assert physsim("run", "fall.yaml").code == 0
+    with subprocess.Popen(
+        ["/bin/sh", "-c", "trap '' INT; exec \"$@\"", "-", *PHYSSIM, "view", "fall.h5", "--serve"],
+        cwd=tmp_path,
+        env=clean_environment(),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        try:
+            assert process.stdout is not None
+            address = process.stdout.readline().strip()
+            assert process.stderr is not None
+            assert process.stderr.readline() == "The page stays until Ctrl-C.\n"
+            assert not is_gone(address)
+            process.send_signal(number)
+            assert process.wait(PATIENCE) == 0
+        finally:
+            process.kill()
+    assert is_gone(address)

@@ -54,6 +54,7 @@ class Feed:
         self._ending: Message | None = None
         self._complained = False
         self._begun, self._over = threading.Event(), threading.Event()
+        self._settled = threading.Event()
         self._process = live_process.start(port)
         self._thread = threading.Thread(target=self._carry, name="physsim-watch", daemon=True)
         self._thread.start()
@@ -80,9 +81,14 @@ class Feed:
         self._over.set()
 
     @property
-    def began(self) -> bool:
-        """Whether there is anything to be seen."""
+    def _began(self) -> bool:
         return self._opening is not None
+
+    def has_page(self) -> bool:
+        """Whether there is anything to be seen. Waits until the server has said where, or has failed."""
+        if self._began:
+            self._settled.wait()
+        return self._began and self._process.poll() is None
 
     def stay(self) -> None:
         """Serves what there is until the server ends or a KeyboardInterrupt is raised."""
@@ -94,7 +100,7 @@ class Feed:
         self._over.set()
         self._begun.set()
         try:
-            if self.began:
+            if self._began:
                 self._say_goodbye()
         except (subprocess.TimeoutExpired, KeyboardInterrupt):
             pass
@@ -118,13 +124,17 @@ class Feed:
             address = live_process.address(self._process)
             self._begun.wait()
             if self._opening is not None:
-                self._send(self._opening, on_its_way=self._announce(address))
+                on_its_way = self._announce(address)
+                self._settled.set()
+                self._send(self._opening, on_its_way=on_its_way)
                 self._send_frames()
         except BrokenPipeError:
             self._complain(live_process.last_words(self._process))
         except OSError as error:
-            if self.began or not self._over.is_set():
+            if self._began or not self._over.is_set():
                 self._complain(str(error))
+        finally:
+            self._settled.set()
 
     def _complain(self, words: str) -> None:
         if not self._complained:
