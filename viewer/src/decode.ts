@@ -3,22 +3,12 @@
 import { PackedContacts } from "./contacts";
 import { VERSION, type Head, type Indexed, type LinksHead, type MeshHead, type StillHead, type TrackHead } from "./head";
 import { Quantities } from "./quantities";
-import type {
-  About, Body, Contacts, Field, Link, MeshData, Placed, QuantityGroup, Recording, Series, SolidKind, Track,
-} from "./recording";
+import type { About, Body, Contacts, Link, MeshData, Placed, Recording, SolidKind, Track } from "./recording";
 import type { Sections } from "./sections";
+import { StillRecording, type Still } from "./still";
 import { PackedTrack } from "./tracks";
 
 type Vector = readonly [number, number, number];
-
-/** What does not change with time. */
-export interface Still {
-  readonly bodies: readonly Body[];
-  readonly meshes: readonly MeshData[];
-  readonly placed: readonly Placed[];
-  readonly joints: readonly Link[];
-  readonly springs: readonly Link[];
-}
 
 /** Opens the sections that hold bodies, shapes, joints and springs. */
 export async function stillOf(head: StillHead, sections: Sections): Promise<Still> {
@@ -40,7 +30,7 @@ export async function recordingOf(head: Head, sections: Sections): Promise<Recor
   for (const track of head.tracks) tracks.set(track.name, await trackOf(track, head, sections));
   const planes = head.contacts ? planesOf(head, head.contacts.force) : 0;
   const contacts = head.contacts && (await PackedContacts.from(head.contacts, head.frames, planes, sections));
-  return new StoredRecording(head, still, times, tracks, contacts);
+  return new PackedRecording(head, still, times, tracks, contacts);
 }
 
 async function trackOf(track: TrackHead, head: Head, sections: Sections): Promise<Track> {
@@ -67,23 +57,17 @@ function timeTrack(times: Float64Array): Track {
   };
 }
 
-class StoredRecording implements Recording {
+class PackedRecording extends StillRecording implements Recording {
   readonly about: About;
-  readonly bodies: readonly Body[];
-  readonly meshes: readonly MeshData[];
-  readonly placed: readonly Placed[];
-  readonly joints: readonly Link[];
-  readonly springs: readonly Link[];
   readonly frames: number;
   readonly growing = false;
-  readonly units: Readonly<Record<string, readonly string[]>>;
   readonly forceError: number;
   readonly position: Track;
   readonly orientation: Track;
   readonly velocity: Track;
   readonly angularVelocity: Track;
   readonly topSpeed: number;
-  private readonly quantities: Quantities;
+  protected readonly quantities: Quantities;
 
   constructor(
     head: Head,
@@ -92,10 +76,9 @@ class StoredRecording implements Recording {
     private readonly tracks: ReadonlyMap<string, Track>,
     private readonly packed: PackedContacts | null,
   ) {
+    super(still, head.units);
     this.about = aboutOf(head);
-    ({ bodies: this.bodies, meshes: this.meshes, placed: this.placed, joints: this.joints, springs: this.springs } = still);
     this.frames = head.frames;
-    this.units = head.units;
     this.forceError = head.contacts?.force_error ?? 0;
     this.position = this.needed("position");
     this.orientation = this.needed("orientation");
@@ -119,28 +102,6 @@ class StoredRecording implements Recording {
 
   get strongestContact(): number {
     return this.packed?.strongest ?? 0;
-  }
-
-  get groups(): readonly QuantityGroup[] {
-    return this.quantities.groups;
-  }
-
-  members(group: QuantityGroup): readonly string[] {
-    return this.quantities.members(group);
-  }
-
-  fields(group: QuantityGroup, member?: string): readonly Field[] {
-    return this.quantities.fields(group, member);
-  }
-
-  series(name: string): Series | null {
-    return this.quantities.series(name);
-  }
-
-  private needed(path: string): Track {
-    const track = this.tracks.get(path);
-    if (!track) throw new Error(`the page has no ${path}`);
-    return track;
   }
 }
 

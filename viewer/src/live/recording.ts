@@ -1,10 +1,11 @@
 // A run that is watched while it computes, as a recording that grows.
 
-import { stillOf, type Still } from "../decode";
+import { stillOf } from "../decode";
 import type { AboutHead, SectionHead, StillHead } from "../head";
 import { Quantities } from "../quantities";
-import type { About, Body, Contacts, Field, Link, MeshData, Placed, QuantityGroup, Recording, Series, Track } from "../recording";
+import type { About, Contacts, Recording, Track } from "../recording";
 import type { Sections } from "../sections";
+import { StillRecording, type Still } from "../still";
 import { Frames, type TrackKind } from "./frames";
 import { messagesOf, type Message } from "./messages";
 import { Pace } from "./pace";
@@ -46,13 +47,7 @@ export async function watched(head: LiveHead, sections: Sections): Promise<LiveR
   return recording;
 }
 
-export class LiveRecording implements Recording {
-  readonly bodies: readonly Body[];
-  readonly meshes: readonly MeshData[];
-  readonly placed: readonly Placed[];
-  readonly joints: readonly Link[];
-  readonly springs: readonly Link[];
-  readonly units: Readonly<Record<string, readonly string[]>>;
+export class LiveRecording extends StillRecording implements Recording {
   readonly forceError = 0;
   /** Simulated time that the run is to reach [s]. */
   readonly duration: number;
@@ -63,17 +58,16 @@ export class LiveRecording implements Recording {
   private readonly calls = new Set<() => void>();
   private readonly tracks = new Map<string, LastingTrack>();
   private store: Store;
-  private quantities: Pick<Recording, "groups" | "members" | "fields" | "series">;
+  protected quantities: Pick<Recording, "groups" | "members" | "fields" | "series">;
   private whole: Recording | null = null;
   private newest = -1;
   private telling = false;
   private readonly pace = new Pace();
 
   constructor(head: LiveHead, still: Still) {
-    ({ bodies: this.bodies, meshes: this.meshes, placed: this.placed, joints: this.joints, springs: this.springs } = still);
+    super(still, head.units);
     const { physsim_version, frames_in_file, ...about } = head.about;
     this.about = { ...about, physsimVersion: physsim_version, framesInFile: frames_in_file };
-    this.units = head.units;
     this.duration = head.live.duration;
     this.address = head.live.frames;
     this.store = this.grown = new Frames(head.live.tracks, still.bodies);
@@ -127,22 +121,6 @@ export class LiveRecording implements Recording {
 
   contacts(frame: number): Contacts | null {
     return this.store.contacts(frame);
-  }
-
-  get groups(): readonly QuantityGroup[] {
-    return this.quantities.groups;
-  }
-
-  members(group: QuantityGroup): readonly string[] {
-    return this.quantities.members(group);
-  }
-
-  fields(group: QuantityGroup, member?: string): readonly Field[] {
-    return this.quantities.fields(group, member);
-  }
-
-  series(name: string): Series | null {
-    return this.quantities.series(name);
   }
 
   /** Takes frames in until the run ends; tries again when the connection breaks. */
@@ -213,11 +191,5 @@ export class LiveRecording implements Recording {
     this.store = this.quantities = whole;
     this.about = whole.about;
     for (const [name, track] of this.tracks) track.source = whole.track(name) ?? track.source;
-  }
-
-  private needed(path: string): Track {
-    const track = this.tracks.get(path);
-    if (!track) throw new Error(`the run sends no ${path}`);
-    return track;
   }
 }

@@ -8,6 +8,7 @@ import { anchor, turned } from "../pose";
 import type { Store } from "../settings";
 import { Sticks } from "./sticks";
 import { SYMBOLS } from "./symbols";
+import { TINTED } from "./tinted";
 
 const TINT = new Color("#12a37f");
 const UP = new Vector3(0, 0, 1);
@@ -18,15 +19,6 @@ const VERTEX = `
   void main() {
     vNormal = normalMatrix * (mat3(instanceMatrix) * normal);
     gl_Position = projectionMatrix * modelViewMatrix * instanceMatrix * vec4(position, 1.0);
-  }`;
-
-const FRAGMENT = `
-  uniform vec3 tint;
-  uniform float opacity;
-  varying vec3 vNormal;
-  void main() {
-    gl_FragColor = vec4(tint * (0.4 + 0.6 * abs(normalize(vNormal).z)), opacity);
-    #include <colorspace_fragment>
   }`;
 
 /** All joints of one kind. What lies behind bodies is drawn faintly by the second mesh. */
@@ -123,7 +115,7 @@ function byKind(joints: readonly Link[]): Map<string, Link[]> {
 function symbolMaterial(opacity: number): ShaderMaterial {
   const behind = opacity < 1;
   return new ShaderMaterial({
-    vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { tint: { value: TINT }, opacity: { value: opacity } },
+    vertexShader: VERTEX, fragmentShader: TINTED, uniforms: { tint: { value: TINT }, opacity: { value: opacity } },
     transparent: behind, depthWrite: !behind, ...(behind ? { depthFunc: GreaterDepth } : {}),
   });
 }

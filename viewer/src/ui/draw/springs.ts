@@ -15,6 +15,7 @@ import { interpolated } from "../numbers";
 import { anchor, turned } from "../pose";
 import type { Store } from "../settings";
 import { DISC, Marks } from "./marks";
+import { TINTED } from "./tinted";
 
 /** The straight wire at each end of a coil, as a share of its length. */
 const LEAD = 0.12;
@@ -57,15 +58,6 @@ const VERTEX = `
     vec3 normal = u * cos(position.y) + v * sin(position.y);
     vNormal = normalMatrix * normal;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(place + bend.y * normal, 1.0);
-  }`;
-
-const FRAGMENT = `
-  uniform vec3 tint;
-  uniform float opacity;
-  varying vec3 vNormal;
-  void main() {
-    gl_FragColor = vec4(tint * (0.35 + 0.65 * abs(normalize(vNormal).z)), opacity);
-    #include <colorspace_fragment>
   }`;
 
 const LINEAR = -1e9;
@@ -177,7 +169,7 @@ export class SpringDrawing {
 function wire(geometry: InstancedBufferGeometry, opacity: number): Mesh {
   const behind = opacity < 1;
   const mesh = new Mesh(geometry, new ShaderMaterial({
-    vertexShader: VERTEX, fragmentShader: FRAGMENT, uniforms: { tint: { value: WIRE }, opacity: { value: opacity } },
+    vertexShader: VERTEX, fragmentShader: TINTED, uniforms: { tint: { value: WIRE }, opacity: { value: opacity } },
     transparent: behind, depthWrite: !behind, ...(behind ? { depthFunc: GreaterDepth } : {}),
   }));
   mesh.frustumCulled = false;
