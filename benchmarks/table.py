@@ -27,6 +27,40 @@ def name_of(row: Row) -> str:
     return str(plain)
 
 
+def overview(rows: Sequence[Row]) -> str:
+    """All scenes in one table, in Markdown: milliseconds per step in the busy and the resting phase (worlds a
+    second of batches), and our time over the fastest other engine's, round by round.
+    """
+    engines = list(dict.fromkeys(name_of(row) for row in rows))
+    heads = ["scene", *engines, "physsim / fastest: busy", "rest"]
+    lines = [_scene_line(place, engines, rows) for place in dict.fromkeys(map(_place, rows))]
+    return "\n".join([_joined(heads), _joined(["---"] * len(heads)), *lines])
+
+
+def _scene_line(place: tuple[str, int, bool], engines: Sequence[str], rows: Sequence[Row]) -> str:
+    scene, threads, _ = place
+    able = [row for row in rows if _place(row) == place and "unable" not in row]
+    groups = {name: [row for row in able if name_of(row) == name] for name in engines}
+    ratios = [_ratio_to_fastest(groups, phase) for phase in ("busy", "rest")]
+    title = scene if threads == 1 else f"{scene}, {threads} threads"
+    return _joined([title, *(_speed(group) if group else "-" for group in groups.values()), *ratios])
+
+
+def _speed(group: Sequence[Row]) -> str:
+    if "world_steps" in group[0]:
+        return f"{median(row['world_steps'] for row in group):.0f}/s"
+    return " / ".join(_milliseconds(group, phase) for phase in ("busy", "rest"))
+
+
+def _ratio_to_fastest(groups: dict[str, list[Row]], phase: str) -> str:
+    ours = groups["physsim"]
+    others = [group for name, group in groups.items() if not name.startswith("physsim")]
+    timed = [group for group in others if any(row.get(phase) for row in group)]
+    if not timed or not ours:
+        return ""
+    return _ratios(ours, min(timed, key=lambda g: median(row[phase] for row in g if row.get(phase))), phase)
+
+
 def tables(rows: Sequence[Row]) -> str:
     """One table per scene, in Markdown."""
     scenes = dict.fromkeys((row["scene"], row["threads"], row["batch"]) for row in rows)

@@ -117,7 +117,7 @@ CAPTION = click.Option(
     help=f"What is written into it: {', '.join(WRITTEN)}, or none. Default: time and scale.",
 )
 COLOUR = click.Option(
-    ["--colour"],
+    ["--color", "--colour", "colour"],
     type=click.Choice(("material", "speed")),
     default="material",
     help="What the colours of bodies tell: material (default), or speed, from dark to light.",

@@ -189,7 +189,7 @@ def test_words_and_signs_change_the_picture(export: Call) -> None:
 
 def test_a_faster_ball_is_lighter(export: Call) -> None:
     """At rest at the start, fastest at the end."""
-    assert export("--to", "png", "--at", "0,0.25,0.5", "--colour", "speed", *BARE)[0] == 0
+    assert export("--to", "png", "--at", "0,0.25,0.5", "--color", "speed", *BARE)[0] == 0
     light = []
     for name in ("0.000", "0.250", "0.500"):
         pixels = np.asarray(Image.open(f"fall-{name}s.png").convert("RGB")).astype(int)
