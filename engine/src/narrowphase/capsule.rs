@@ -115,7 +115,7 @@ pub(crate) struct Approach {
 }
 
 /// Inside: separating axes. Outside, the nearest points are an end of the segment and any point of the polytope, or a
-/// point of the segment and one of an edge. `scratch.polytope_b` must hold the polytope.
+/// point of the segment and one of an edge.
 pub(crate) fn approach(
     a: &Posed,
     b: &Posed,
@@ -124,48 +124,53 @@ pub(crate) fn approach(
     allowed: impl Fn(DVec3) -> bool,
 ) -> Option<Approach> {
     let core = Core::of(a);
-    let Scratch {
-        polytope_a,
-        polytope_b,
-        ..
-    } = scratch;
-    polytope_a.load(a);
-    let axis = sat::separating_axis(polytope_a, polytope_b, margin + core.radius, allowed)?;
-    let size = polytope_a.size + polytope_b.size + core.radius;
-    let [p, q] = nearest_outside(&core, b, polytope_b);
-    if axis.separation <= ROUNDING * size {
+    let rod = scratch.store_a.polytope(a)?;
+    let polytope = scratch.store_b.polytope(b)?;
+    let reach = margin + core.radius;
+    let axis = sat::separating_axis(&rod, &polytope, reach, &mut scratch.edges, allowed)?;
+    if axis.separation <= ROUNDING * (rod.size + polytope.size + core.radius) {
         return Some(Approach {
             normal: axis.normal,
             points: None,
         });
     }
-    let normal = (p - q).normalize_or_zero();
-    (p.distance(q) < margin + core.radius).then_some(Approach {
-        normal,
+    let [p, q] = nearest_outside(core.ends, b, &polytope, axis.separation);
+    (p.distance(q) < reach).then(|| Approach {
+        normal: (p - q).normalize_or_zero(),
         points: Some([p, q]),
     })
 }
 
-fn nearest_outside(core: &Core, b: &Posed, polytope: &Polytope) -> [DVec3; 2] {
-    let ends = core.ends.into_iter().filter_map(|end| {
-        let nearest = closest(b.shape, b.pose.inverse_point(end))?;
-        Some([
-            end,
-            end - nearest.distance * b.pose.direction(nearest.normal),
-        ])
+/// Nearest points of a segment and a polytope that are apart by at least `separation`: nobody is nearer than an end of
+/// the segment at that distance.
+fn nearest_outside(
+    ends: [DVec3; 2],
+    b: &Posed,
+    polytope: &Polytope,
+    separation: f64,
+) -> [DVec3; 2] {
+    let local = ends.map(|end| b.pose.inverse_point(end));
+    let to_solid = local.into_iter().filter_map(|end| {
+        let nearest = closest(b.shape, end)?;
+        Some([end, end - nearest.distance * nearest.normal])
     });
-    let edges = polytope
-        .arcs
-        .iter()
-        .map(|arc| nearest_of_segments(core.ends, arc.ends));
     let distance = |pair: &[DVec3; 2]| pair[0].distance_squared(pair[1]);
     let nearer = |p, q| if distance(&q) < distance(&p) { q } else { p };
-    ends.chain(edges).reduce(nearer).unwrap_or(core.ends)
+    let of_ends = to_solid.reduce(nearer).unwrap_or(local);
+    let bound = separation * (1.0 + ROUNDING);
+    let pair = if distance(&of_ends) <= bound * bound {
+        of_ends
+    } else {
+        let edges = polytope.edges.iter();
+        edges
+            .map(|edge| nearest_of_segments(local, polytope.ends(edge)))
+            .fold(of_ends, nearer)
+    };
+    pair.map(|p| b.pose.point(p))
 }
 
 /// Capsule or rod against box, hull or triangle.
 pub(crate) fn against_polytope(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
-    scratch.polytope_b.load(b);
     let Some(found) = approach(a, b, scratch, sink.margin, |_| true) else {
         return;
     };

@@ -58,7 +58,8 @@ fn face_normals<'a>(a: &Posed<'a>) -> impl Iterator<Item = DVec3> + 'a {
 
 #[cfg(test)]
 mod tests {
-    use super::super::polytope::Polytope;
+    use super::super::polytope::Store;
+    use super::super::sat::Edges;
     use super::super::testing::{contacts, deepest, prism, Random};
     use super::super::{sat, MANY_PAIRS};
     use super::*;
@@ -69,21 +70,19 @@ mod tests {
     fn finds_what_the_full_search_finds() {
         let shape = prism(48, 0.5, 0.3);
         let mut random = Random(41);
-        let (mut polytope_a, mut polytope_b) = (Polytope::default(), Polytope::default());
+        let (mut store_a, mut store_b) = (Store::default(), Store::default());
         let (mut compared, mut worse) = (0, 0);
         for _ in 0..200 {
             let (pose_a, pose_b) = (random.pose(0.45), random.pose(0.45));
-            polytope_a.load(&Posed {
+            let posed = |pose| Posed {
                 shape: &shape,
-                pose: pose_a,
-            });
-            polytope_b.load(&Posed {
-                shape: &shape,
-                pose: pose_b,
-            });
-            assert!(polytope_a.arcs.len() * polytope_b.arcs.len() > MANY_PAIRS);
+                pose,
+            };
+            let a = store_a.polytope(&posed(pose_a)).unwrap();
+            let b = store_b.polytope(&posed(pose_b)).unwrap();
+            assert!(a.edges.len() * b.edges.len() > MANY_PAIRS);
             let points = contacts(&shape, &pose_a, &shape, &pose_b, 0.01);
-            let axis = sat::separating_axis(&polytope_a, &polytope_b, 0.01, |_| true);
+            let axis = sat::separating_axis(&a, &b, 0.01, &mut Edges::default(), |_| true);
             let Some(axis) = axis.filter(|axis| axis.separation < 0.0) else {
                 continue;
             };

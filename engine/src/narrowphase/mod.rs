@@ -14,6 +14,7 @@ mod halfspace;
 mod large_hulls;
 mod polish;
 mod polytope;
+mod protruding;
 mod reduce;
 mod sat;
 mod seams;
@@ -57,8 +58,9 @@ pub enum Verdict {
 pub struct Scratch {
     feature_a: Vec<DVec3>,
     feature_b: Vec<DVec3>,
-    polytope_a: polytope::Polytope,
-    polytope_b: polytope::Polytope,
+    store_a: polytope::Store,
+    store_b: polytope::Store,
+    edges: sat::Edges,
     clip: clip::Buffers,
     polish: polish::Buffers,
     triangles: Vec<u32>,
@@ -258,19 +260,17 @@ fn kernel(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
 
 /// Box, hull and triangle against each other.
 fn polytopes(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
-    let Scratch {
-        polytope_a,
-        polytope_b,
-        ..
-    } = scratch;
-    if !polytope_a.load(a) || !polytope_b.load(b) {
+    let (Some(first), Some(second)) = (scratch.store_a.polytope(a), scratch.store_b.polytope(b))
+    else {
         return;
-    }
-    if polytope_a.arcs.len() * polytope_b.arcs.len() > MANY_PAIRS {
+    };
+    if first.edges.len() * second.edges.len() > MANY_PAIRS {
         if let Some(normal) = large_hulls::start(a, b, sink.margin) {
             refined(a, b, normal, a.pose.position, scratch, sink);
         }
-    } else if let Some(axis) = sat::separating_axis(polytope_a, polytope_b, sink.margin, |_| true) {
+    } else if let Some(axis) =
+        sat::separating_axis(&first, &second, sink.margin, &mut scratch.edges, |_| true)
+    {
         along(a, b, axis.normal, scratch, sink);
     }
 }

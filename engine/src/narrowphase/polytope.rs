@@ -1,174 +1,158 @@
-//! Box, hull, triangle and rod in one form for the separating-axis test, in world axes.
+//! Box, hull, triangle and rod in one form for the separating-axis test.
 
 use super::Posed;
-use crate::shape::{Hull, Pose, Shape};
+use crate::shape::{Edge, Face, Pose, Shape};
 use glam::DVec3;
 
-/// A supporting plane: no point of the polytope has normal . x > offset, and some point has equality.
+/// Vertices, faces and edges in the shape's frame, and where that is.
+///
+/// Flat shapes have faces through their edges, at right angles to each other, so that every edge has arcs of normals of
+/// 90 degrees: a triangle from its normal n over the edge's outward normal m to -n, a rod four around itself.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Plane {
-    pub normal: DVec3,
-    pub offset: f64,
-}
-
-/// An edge with the arc of normals (at most 90 to 180 degrees, between two faces) in which it supports the polytope.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Arc {
-    /// Ends of the edge.
-    pub ends: [DVec3; 2],
-    /// Unit vector along the edge, on the side of normals[1] x normals[0].
-    pub along: DVec3,
-    /// Ends of the arc.
-    pub normals: [DVec3; 2],
-}
-
-/// Vertices, planes and edges.
-#[derive(Default, Debug)]
-pub(crate) struct Polytope {
-    pub vertices: Vec<DVec3>,
-    pub planes: Vec<Plane>,
-    pub arcs: Vec<Arc>,
+pub(crate) struct Polytope<'a> {
+    pub vertices: &'a [DVec3],
+    pub faces: &'a [Face],
+    pub edges: &'a [Edge],
+    /// A point inside.
+    pub middle: DVec3,
     /// Largest distance from the first vertex [m].
     pub size: f64,
+    pub pose: Pose,
 }
 
-impl Polytope {
-    /// Becomes the posed shape; false for shapes that are not polytopes.
-    ///
-    /// Flat shapes get planes through their edges, at right angles to each other, so that every edge has arcs of 90
-    /// degrees: a triangle from its normal n over the edge's outward normal m to -n, a rod four around itself.
-    pub fn load(&mut self, a: &Posed) -> bool {
-        self.clear();
-        match a.shape {
-            Shape::Box { half } => self.load_box(*half, &a.pose),
-            Shape::Hull(hull) => self.load_hull(hull, &a.pose),
-            Shape::Triangle(corners) => self.load_triangle(corners.map(|c| a.pose.point(c))),
-            Shape::Rod { half_length }
-            | Shape::Capsule {
-                half_height: half_length,
-                ..
-            } => {
-                self.load_rod(*half_length, &a.pose);
-            }
-            _ => return false,
-        }
-        let first = self.vertices.first().copied().unwrap_or(DVec3::ZERO);
-        self.size = self
-            .vertices
-            .iter()
-            .map(|v| v.distance(first))
-            .fold(0.0, f64::max);
-        true
-    }
+/// Memory for shapes that do not keep their vertices.
+#[derive(Default, Debug)]
+pub(crate) struct Store {
+    vertices: Vec<DVec3>,
+    faces: Vec<Face>,
+    edges: Vec<Edge>,
+}
 
-    /// Height of the vertex farthest along a direction.
-    pub fn reach(&self, direction: DVec3) -> f64 {
-        self.vertices
-            .iter()
-            .map(|v| v.dot(direction))
-            .fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    fn clear(&mut self) {
+impl Store {
+    /// The posed shape, a capsule by its axis; None for shapes that are not polytopes.
+    pub fn polytope<'a>(&'a mut self, a: &Posed<'a>) -> Option<Polytope<'a>> {
         self.vertices.clear();
-        self.planes.clear();
-        self.arcs.clear();
-    }
-
-    fn add_plane(&mut self, normal: DVec3, point: DVec3) {
-        self.planes.push(Plane {
-            normal,
-            offset: normal.dot(point),
-        });
-    }
-
-    fn add_arc(&mut self, ends: [DVec3; 2], along: DVec3, from: DVec3, to: DVec3) {
-        let along = if to.cross(from).dot(along) < 0.0 {
-            -along
-        } else {
-            along
-        };
-        self.arcs.push(Arc {
-            ends,
-            along,
-            normals: [from, to],
-        });
-    }
-
-    fn load_box(&mut self, half: DVec3, pose: &Pose) {
-        let axes = [
-            pose.rotation.x_axis,
-            pose.rotation.y_axis,
-            pose.rotation.z_axis,
-        ];
-        let arms = [axes[0] * half.x, axes[1] * half.y, axes[2] * half.z];
-        for signs in 0..8 {
-            let sign = |k: usize| if signs >> k & 1 == 0 { -1.0 } else { 1.0 };
-            self.vertices
-                .push(pose.position + sign(0) * arms[0] + sign(1) * arms[1] + sign(2) * arms[2]);
-        }
-        for (k, axis) in axes.into_iter().enumerate() {
-            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-            for (si, sj) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-                let middle = pose.position + si * arms[i] + sj * arms[j];
-                self.add_arc(
-                    [middle - arms[k], middle + arms[k]],
-                    axis,
-                    si * axes[i],
-                    sj * axes[j],
-                );
+        self.faces.clear();
+        self.edges.clear();
+        match a.shape {
+            Shape::Hull(hull) => {
+                return Some(Polytope {
+                    vertices: hull.vertices(),
+                    faces: hull.faces(),
+                    edges: hull.edges(),
+                    middle: hull.center(),
+                    size: hull.size(),
+                    pose: a.pose,
+                })
             }
-            self.add_plane(axis, pose.position + arms[k]);
-            self.add_plane(-axis, pose.position - arms[k]);
+            Shape::Box { half } => self.put_box(*half),
+            Shape::Triangle(corners) => self.put_triangle(*corners),
+            Shape::Rod { half_length } => self.put_rod(*half_length),
+            Shape::Capsule { half_height, .. } => self.put_rod(*half_height),
+            _ => return None,
         }
+        let first = self.vertices[0];
+        let squares = self.vertices.iter().map(|v| v.distance_squared(first));
+        Some(Polytope {
+            vertices: &self.vertices,
+            faces: &self.faces,
+            edges: &self.edges,
+            middle: a.shape.center(),
+            size: squares.fold(0.0, f64::max).sqrt(),
+            pose: a.pose,
+        })
     }
 
-    fn load_hull(&mut self, hull: &Hull, pose: &Pose) {
-        self.vertices
-            .extend(hull.vertices().iter().map(|v| pose.point(*v)));
-        for face in hull.faces() {
-            let normal = pose.direction(face.normal);
-            self.planes.push(Plane {
-                normal,
-                offset: face.offset + normal.dot(pose.position),
-            });
+    /// Vertex k has the sign + along axis i where bit i of k is set; faces 2 i and 2 i + 1 look along + and - axis i.
+    fn put_box(&mut self, half: DVec3) {
+        let sign = |k: u32, axis: u32| if k >> axis & 1 == 0 { -1.0 } else { 1.0 };
+        let vertex = |k| half * DVec3::new(sign(k, 0), sign(k, 1), sign(k, 2));
+        self.vertices.extend((0..8).map(vertex));
+        for (axis, reach) in DVec3::AXES.into_iter().zip(half.to_array()) {
+            self.faces.push(Face::plane(axis, reach));
+            self.faces.push(Face::plane(-axis, reach));
         }
-        for edge in hull.edges() {
-            let [p, q] = edge.vertices.map(|i| self.vertices[i as usize]);
-            let [f, g] = edge.faces.map(|i| self.planes[i as usize].normal);
-            self.add_arc([p, q], (q - p).normalize_or_zero(), f, g);
-        }
+        self.edges.extend(BOX_EDGES);
     }
 
-    fn load_triangle(&mut self, corners: [DVec3; 3]) {
+    fn put_triangle(&mut self, corners: [DVec3; 3]) {
         self.vertices.extend(corners);
         let [a, b, c] = corners;
         let normal = (b - a).cross(c - a).normalize_or_zero();
-        self.add_plane(normal, a);
-        self.add_plane(-normal, a);
-        for (p, q) in [(a, b), (b, c), (c, a)] {
-            let along = (q - p).normalize_or_zero();
-            let outward = along.cross(normal);
-            self.add_plane(outward, p);
-            self.add_arc([p, q], along, normal, outward);
-            self.add_arc([p, q], along, outward, -normal);
+        self.put_face(normal, a);
+        self.put_face(-normal, a);
+        for (k, (p, q)) in (0..).zip([(a, b), (b, c), (c, a)]) {
+            self.put_face((q - p).normalize_or_zero().cross(normal), p);
+            let ends = [k, (k + 1) % 3];
+            self.edges.push(edge(ends, [0, 2 + k]));
+            self.edges.push(edge(ends, [2 + k, 1]));
         }
     }
 
-    fn load_rod(&mut self, half_length: f64, pose: &Pose) {
-        let (x, y, z) = (
-            pose.rotation.x_axis,
-            pose.rotation.y_axis,
-            pose.rotation.z_axis,
-        );
-        let ends = [
-            pose.position + half_length * z,
-            pose.position - half_length * z,
-        ];
-        self.vertices.extend(ends);
-        for (from, to) in [(x, y), (y, -x), (-x, -y), (-y, x)] {
-            self.add_plane(from, pose.position);
-            self.add_arc(ends, z, from, to);
+    fn put_rod(&mut self, half_length: f64) {
+        let end = half_length * DVec3::Z;
+        self.vertices.extend([end, -end]);
+        for normal in [DVec3::X, DVec3::Y, DVec3::NEG_X, DVec3::NEG_Y] {
+            self.put_face(normal, DVec3::ZERO);
         }
+        let around = (0..4).map(|k| edge([0, 1], [k, (k + 1) % 4]));
+        self.edges.extend(around);
+    }
+
+    fn put_face(&mut self, normal: DVec3, point: DVec3) {
+        self.faces.push(Face::plane(normal, normal.dot(point)));
+    }
+}
+
+const fn edge(vertices: [u32; 2], faces: [u32; 2]) -> Edge {
+    Edge { vertices, faces }
+}
+
+/// Four along each axis.
+const BOX_EDGES: [Edge; 12] = [
+    edge([6, 7], [2, 4]),
+    edge([2, 3], [2, 5]),
+    edge([4, 5], [3, 4]),
+    edge([0, 1], [3, 5]),
+    edge([5, 7], [4, 0]),
+    edge([4, 6], [4, 1]),
+    edge([1, 3], [5, 0]),
+    edge([0, 2], [5, 1]),
+    edge([3, 7], [0, 2]),
+    edge([1, 5], [0, 3]),
+    edge([2, 6], [1, 2]),
+    edge([0, 4], [1, 3]),
+];
+
+impl Polytope<'_> {
+    /// The vertex lowest over another polytope's face, the first of equals, and its height; `place` is this polytope's
+    /// in the other's frame.
+    pub fn lowest_over(&self, face: &Face, place: &Pose) -> (usize, f64) {
+        let up = place.inverse_direction(face.normal);
+        let mut lowest = (0, f64::INFINITY);
+        for (k, v) in self.vertices.iter().enumerate() {
+            let height = up.dot(*v);
+            if height < lowest.1 {
+                lowest = (k, height);
+            }
+        }
+        (lowest.0, lowest.1 + face.height(place.position))
+    }
+
+    /// The face over which a point is highest.
+    pub fn facing(&self, p: DVec3) -> &Face {
+        let mut best = (0, f64::NEG_INFINITY);
+        for (k, face) in self.faces.iter().enumerate() {
+            let height = face.height(p);
+            if height > best.1 {
+                best = (k, height);
+            }
+        }
+        &self.faces[best.0]
+    }
+
+    /// The ends of an edge.
+    pub fn ends(&self, edge: &Edge) -> [DVec3; 2] {
+        edge.vertices.map(|i| self.vertices[i as usize])
     }
 }

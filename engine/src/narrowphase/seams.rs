@@ -11,7 +11,6 @@
 //! lies flush with face: a ridge that stands on a rim has planes enough between them, and stays. Crossing ridges, whose
 //! second plane would belong to no face, are not looked at, nor are exact meshes, which know their inner edges.
 
-use super::polytope::Plane;
 use super::{ContactPoint, Posed};
 use crate::position::SLOP;
 use crate::shape::{Face, Pose, Shape};
@@ -47,10 +46,8 @@ fn lies_flush(shape: &Posed, solid: &Posed, outward: DVec3, apart: bool) -> bool
         .pose
         .inverse_point(shape.pose.point(shape.shape.center()));
     // In the solid's axes, where most faces are seen to be beside the point.
-    let beside = |face: &Plane| {
-        face.normal.dot(outward) < limit && face.normal.dot(center) - face.offset > -FLUSH
-    };
-    let touched = |face: Plane| {
+    let beside = |face: &Face| face.height(center) > -FLUSH && face.normal.dot(outward) < limit;
+    let touched = |face: Face| {
         let face = placed(&face, &solid.pose);
         touches(shape, &face)
             && (apart || faces(shape).any(|f| -f.normal.dot(face.normal) >= TURNED))
@@ -58,26 +55,24 @@ fn lies_flush(shape: &Posed, solid: &Posed, outward: DVec3, apart: bool) -> bool
     own_faces(solid.shape).filter(beside).any(touched)
 }
 
-/// Whether a shape whose centre is outside of a plane touches it.
-fn touches(shape: &Posed, plane: &Plane) -> bool {
-    let lowest = plane.normal.dot(shape.support(-plane.normal)) - plane.offset;
-    lowest.abs() <= FLUSH
+/// Whether a shape whose centre is outside of a face's plane touches it.
+fn touches(shape: &Posed, face: &Face) -> bool {
+    face.height(shape.support(-face.normal)).abs() <= FLUSH
 }
 
-/// Planes of a solid's flat faces, in world axes.
-fn faces<'a>(solid: &Posed<'a>) -> impl Iterator<Item = Plane> + 'a {
+/// A solid's flat faces, in world axes.
+fn faces<'a>(solid: &Posed<'a>) -> impl Iterator<Item = Face> + 'a {
     let pose = solid.pose;
     own_faces(solid.shape).map(move |face| placed(&face, &pose))
 }
 
-fn placed(face: &Plane, pose: &Pose) -> Plane {
+fn placed(face: &Face, pose: &Pose) -> Face {
     let normal = pose.direction(face.normal);
-    let offset = face.offset + normal.dot(pose.position);
-    Plane { normal, offset }
+    Face::plane(normal, face.offset + normal.dot(pose.position))
 }
 
-/// Planes of a shape's flat faces, in its frame.
-fn own_faces(shape: &Shape) -> impl Iterator<Item = Plane> + '_ {
+/// A shape's flat faces, in its frame.
+fn own_faces(shape: &Shape) -> impl Iterator<Item = Face> + '_ {
     let few = match shape {
         Shape::Box { .. } => 6,
         Shape::Cylinder { .. } => 2,
@@ -88,33 +83,19 @@ fn own_faces(shape: &Shape) -> impl Iterator<Item = Plane> + '_ {
         Shape::Hull(hull) => hull.faces(),
         _ => &[],
     };
-    let many = many.iter().map(|face| Plane {
-        normal: face.normal,
-        offset: face.offset,
-    });
-    (0..few).map(|k| simple_face(shape, k)).chain(many)
+    (0..few)
+        .map(|k| simple_face(shape, k))
+        .chain(many.iter().copied())
 }
 
 /// Of a box, a cylinder or a cone.
-fn simple_face(shape: &Shape, k: usize) -> Plane {
+fn simple_face(shape: &Shape, k: usize) -> Face {
     let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
     match shape {
-        Shape::Box { half } => Plane {
-            normal: sign * DVec3::AXES[k / 2],
-            offset: half[k / 2],
-        },
-        Shape::Cone { height, .. } => Plane {
-            normal: DVec3::NEG_Z,
-            offset: 0.25 * height,
-        },
-        Shape::Cylinder { half_height, .. } => Plane {
-            normal: sign * DVec3::Z,
-            offset: *half_height,
-        },
-        _ => Plane {
-            normal: DVec3::ZERO,
-            offset: f64::INFINITY,
-        },
+        Shape::Box { half } => Face::plane(sign * DVec3::AXES[k / 2], half[k / 2]),
+        Shape::Cone { height, .. } => Face::plane(DVec3::NEG_Z, 0.25 * height),
+        Shape::Cylinder { half_height, .. } => Face::plane(sign * DVec3::Z, *half_height),
+        _ => Face::plane(DVec3::ZERO, f64::INFINITY),
     }
 }
 

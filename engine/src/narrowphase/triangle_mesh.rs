@@ -205,7 +205,6 @@ fn direction(
         return (polish::separation(a, &piece, normal) < margin).then_some(normal);
     }
     let allowed = |normal| b.allows(triangle, normal);
-    scratch.polytope_b.load(&piece);
     match a.shape {
         Shape::Sphere { radius } => {
             let nearest = closest::closest(piece.shape, a.pose.position)?;
@@ -215,13 +214,10 @@ fn direction(
             capsule::approach(a, &piece, scratch, margin, allowed).map(|found| found.normal)
         }
         Shape::Box { .. } | Shape::Hull(_) | Shape::Triangle(_) => {
-            let Scratch {
-                polytope_a,
-                polytope_b,
-                ..
-            } = scratch;
-            polytope_a.load(a);
-            sat::separating_axis(polytope_a, polytope_b, margin, allowed).map(|axis| axis.normal)
+            let solid = scratch.store_a.polytope(a)?;
+            let triangle = scratch.store_b.polytope(&piece)?;
+            let edges = &mut scratch.edges;
+            sat::separating_axis(&solid, &triangle, margin, edges, allowed).map(|axis| axis.normal)
         }
         _ => curved(a, &piece, scratch, margin, allowed),
     }
@@ -248,13 +244,11 @@ fn curved(
         }
     }
     let Scratch {
-        polytope_b, polish, ..
+        store_b, polish, ..
     } = scratch;
-    let starts = polytope_b
-        .planes
-        .iter()
-        .map(|plane| plane.normal)
-        .filter(|n| allowed(*n));
+    let triangle = store_b.polytope(piece)?;
+    let normals = triangle.faces.iter().map(|face| face.normal);
+    let starts = normals.filter(|n| allowed(*n));
     let ways = starts.map(|start| match polish::polish(a, piece, start, polish) {
         Some(way) if allowed(way.normal) => (way.separation, way.normal),
         _ => (polish::separation(a, piece, start), start),

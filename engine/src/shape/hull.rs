@@ -9,7 +9,7 @@ const CONVEXITY_TOLERANCE: f64 = 1e-4;
 const SMALL: usize = 32;
 
 /// A convex polygon of a hull; its corners are `Hull::corners(face)`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Face {
     /// Outward unit normal.
     pub normal: DVec3,
@@ -17,6 +17,23 @@ pub struct Face {
     pub offset: f64,
     first: usize,
     end: usize,
+}
+
+impl Face {
+    /// A plane without corners.
+    pub(crate) fn plane(normal: DVec3, offset: f64) -> Self {
+        Self {
+            normal,
+            offset,
+            first: 0,
+            end: 0,
+        }
+    }
+
+    /// Height of a point above the plane [m].
+    pub fn height(&self, p: DVec3) -> f64 {
+        self.normal.dot(p) - self.offset
+    }
 }
 
 /// An edge and the two faces that meet in it.
@@ -40,6 +57,7 @@ pub struct Hull {
     /// Vertices farthest along the axes: where the search for a support starts in a large hull.
     seeds: [usize; 6],
     center: DVec3,
+    size: f64,
     bounding_radius: f64,
 }
 
@@ -59,6 +77,8 @@ impl Hull {
             adjacency(vertices.len(), edges.iter().map(|e| e.vertices));
         let seeds = seeds(&vertices);
         let bounding_radius = vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
+        let squares = vertices.iter().map(|v| v.distance_squared(vertices[0]));
+        let size = squares.fold(0.0, f64::max).sqrt();
         let hull = Self {
             vertices,
             faces: planes,
@@ -68,6 +88,7 @@ impl Hull {
             neighbours_start,
             seeds,
             center,
+            size,
             bounding_radius,
         };
         hull.check_convex()?;
@@ -102,6 +123,11 @@ impl Hull {
     /// Mean of the vertices, a point inside [m].
     pub fn center(&self) -> DVec3 {
         self.center
+    }
+
+    /// Largest distance of a vertex from the first one [m].
+    pub fn size(&self) -> f64 {
+        self.size
     }
 
     /// Largest distance of a vertex from the geom's origin [m].
