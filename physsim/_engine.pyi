@@ -1,6 +1,6 @@
-"""The border to the Rust engine; `engine/src/python.rs` implements it."""
+"""The border to the Rust engine; `engine/src/python` implements it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ _Answer = Callable[
 
 __version__: str
 
+def shuffled(items: npt.NDArray[np.uint8], size: int) -> npt.NDArray[np.uint8]: ...
 def draw(picture: Mapping[str, object], threads: int = 1) -> npt.NDArray[np.uint8]: ...
 
 class Diverged(Exception):
@@ -23,9 +24,35 @@ class Diverged(Exception):
 class EngineError(RuntimeError):
     """The engine failed; a defect of physsim."""
 
+class Frames:
+    """Readings of frames that follow each other; `World.record` adds to them."""
+
+    def __init__(
+        self,
+        *,
+        bodies: Sequence[int] | None = None,
+        momentum: bool = False,
+        energy: bool = False,
+        contacts: bool = False,
+        joints: int = 0,
+        springs: bool = False,
+    ) -> None: ...
+    def __len__(self) -> int: ...
+    def take(self) -> dict[str, Any]: ...
+
 class World:
     def __init__(self, model: Mapping[str, object]) -> None: ...
     def advance(self, steps: int, answer: _Answer | None = None) -> None: ...
+    def record(
+        self,
+        frames: Frames,
+        steps: int,
+        every: int,
+        last: int,
+        rest_time: float,
+        answer: _Answer | None = None,
+    ) -> int: ...
+    def keep(self, frames: Frames) -> None: ...
     def state(self) -> dict[str, Any]: ...
     def contacts(self) -> dict[str, npt.NDArray[Any]]: ...
     def events(self) -> dict[str, npt.NDArray[Any]]: ...

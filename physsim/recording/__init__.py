@@ -1,14 +1,16 @@
 """The trajectory file: its layout, the recorder that writes it, and the trajectory that reads it."""
 
+from physsim.recording.block import Block
 from physsim.recording.connection_track import JointTrack, SpringTrack
 from physsim.recording.layout import recorded
 from physsim.recording.reader import NotInFile, Trajectory, open_trajectory
+from physsim.recording.recorder import Recorder
 from physsim.recording.series import Series, Table
 from physsim.recording.target import Target
 from physsim.recording.track import BodyTrack
-from physsim.recording.writer import Recorder
 
 __all__ = [
+    "Block",
     "BodyTrack",
     "JointTrack",
     "NotInFile",

@@ -20,7 +20,9 @@ CHUNK_ITEMS = 64
 ITEM_AXES = ("body", "joint", "spring")
 CHUNK_BYTES = 192 * 1024
 CHUNK_FRAMES = (64, 1024)
-CHUNK_ROWS = 1024
+# Rows of /contacts and /events: about those of some frames, within bounds.
+CHUNK_ROWS = (1024, 8192)
+ROWS_PER_BODY = 8
 # What does not grow is packed when it is larger than this: meshes.
 PACKED_BYTES = 64 * 1024
 PACKED_ROWS = 4096
@@ -56,6 +58,11 @@ def block_frames(bodies: int) -> int:
     row_bytes = 4 * 8 * min(max(bodies, 1), CHUNK_ITEMS)
     fitting = 1 << ((CHUNK_BYTES // row_bytes).bit_length() - 1)
     return min(max(fitting, CHUNK_FRAMES[0]), CHUNK_FRAMES[1])
+
+
+def chunk_rows(bodies: int) -> int:
+    """Contacts or impacts per chunk: a power of two."""
+    return min(max(1 << (ROWS_PER_BODY * bodies).bit_length(), CHUNK_ROWS[0]), CHUNK_ROWS[1])
 
 
 def axis_dataset(file: h5py.File, group: str, dim: str) -> h5py.Dataset:
@@ -122,7 +129,7 @@ def _missing(column: Column) -> Any:
 
 def _chunks(column: Column, shape: tuple[int, ...], sizes: Mapping[str, int]) -> tuple[int, ...]:
     if column.grows_along != "time":
-        return (CHUNK_ROWS, *shape[1:])
+        return (chunk_rows(sizes["body"]), *shape[1:])
     frames = block_frames(sizes["body"])
     if len(shape) < 2 or column.dims[1] not in ITEM_AXES:
         return (max(frames, SMALL_CHUNK_FRAMES), *shape[1:])

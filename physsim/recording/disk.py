@@ -7,6 +7,8 @@ the interpreter at exit.
 
 Here, at each flush, the room is claimed first, then everything beyond the old end is written, then what
 replaces older bytes, from the start of the file on. Nothing on the disk ever points to what is not there.
+Long pieces beyond the old end (chunks) need not wait for the flush: nothing on the disk points to them yet.
+
 An error is kept in `error` and never shown to HDF5, which can then close the file in peace; the file on
 disk stays as the last flush left it.
 """
@@ -23,6 +25,8 @@ from pathlib import Path
 from typing import Any
 
 PAGE = 4096
+# Pieces beyond the old end of at least so many bytes are written at once.
+LONG = 4 * PAGE
 
 _NO_SUCH_CALL = (errno.EOPNOTSUPP, errno.EINVAL, errno.ENOSYS)
 
@@ -43,7 +47,7 @@ class Disk(io.RawIOBase):
         except OSError:
             os.close(self._handle)
             raise
-        self._end = self._size = os.fstat(self._handle).st_size
+        self._end = self._size = self._claimed = os.fstat(self._handle).st_size
         self._at = 0
         self._pages: dict[int, bytearray] = {}
 
@@ -77,13 +81,13 @@ class Disk(io.RawIOBase):
 
     def write(self, data: Any) -> int:
         view = memoryview(data).cast("B")
-        for number, first, last in _pieces(self._at, len(view)):
-            begin = number * PAGE - self._at
-            part = view[begin + first : begin + last]
-            if len(part) == PAGE:
-                self._pages[number] = bytearray(part)
-            else:
-                self._page(number)[first:last] = part
+        whole = self._whole_pages(self._at, self._at + len(view))
+        if len(whole) >= LONG:
+            self._keep(view[: whole.start - self._at], self._at)
+            self._write_through(view[whole.start - self._at : whole.stop - self._at], whole.start)
+            self._keep(view[whole.stop - self._at :], whole.stop)
+        else:
+            self._keep(view, self._at)
         self._at += len(view)
         self._size = max(self._size, self._at)
         return len(view)
@@ -95,12 +99,8 @@ class Disk(io.RawIOBase):
     def flush(self) -> None:
         """To the system, in the safe order. After an error nothing is written any more."""
         if self.error is None and not self.closed:
-            try:
+            with self._giving_up():
                 self._commit()
-            except OSError as error:
-                self.error = error
-                with contextlib.suppress(OSError):
-                    os.ftruncate(self._handle, self._end)
         self._pages.clear()
 
     def give_up(self, error: Exception) -> None:
@@ -116,25 +116,60 @@ class Disk(io.RawIOBase):
             super().close()
             os.close(self._handle)
 
+    def _whole_pages(self, start: int, stop: int) -> range:
+        """The part of a range of the file that is whole pages beyond the old end."""
+        first = -(-max(start, self._end) // PAGE) * PAGE
+        return range(first, max(stop // PAGE * PAGE, first))
+
+    def _keep(self, view: memoryview, at: int) -> None:
+        """Lets bytes wait for the flush."""
+        for number, first, last in _pieces(at, len(view)):
+            begin = number * PAGE - at
+            self._page(number)[first:last] = view[begin + first : begin + last]
+
+    def _write_through(self, view: memoryview, at: int) -> None:
+        """Writes whole pages beyond the old end."""
+        for number in range(at // PAGE, (at + len(view)) // PAGE):
+            self._pages.pop(number, None)
+        if self.error is None:
+            with self._giving_up():
+                self._claim(at + len(view))
+                _write_all(self._handle, view, at)
+
     def _page(self, number: int) -> bytearray:
         if number not in self._pages:
-            beyond = number * PAGE >= self._end
+            beyond = number * PAGE >= self._claimed
             there = b"" if beyond else os.pread(self._handle, PAGE, number * PAGE)
             self._pages[number] = bytearray(there.ljust(PAGE, b"\0"))
         return self._pages[number]
 
     def _commit(self) -> None:
         old, new = self._end, self._size
-        if new > old:
-            _claim(self._handle, old, new)
+        self._claim(new)
         runs = [(start, memoryview(data)[: max(new - start, 0)]) for start, data in self._runs()]
         for start, data in runs:
             _write_all(self._handle, data[max(old - start, 0) :], max(start, old))
         for start, data in runs:
             _write_all(self._handle, data[: max(old - start, 0)], start)
-        if new < old:
+        if new < self._claimed:
             os.ftruncate(self._handle, new)
-        self._end = new
+        self._end = self._claimed = new
+
+    def _claim(self, new: int) -> None:
+        """Room up to there."""
+        if new > self._claimed:
+            _claim(self._handle, self._claimed, new)
+            self._claimed = new
+
+    @contextlib.contextmanager
+    def _giving_up(self) -> Iterator[None]:
+        """An error ends all writing, and what is beyond the old end is given back."""
+        try:
+            yield
+        except OSError as error:
+            self.error = error
+            with contextlib.suppress(OSError):
+                os.ftruncate(self._handle, self._end)
 
     def _runs(self) -> Iterator[tuple[int, bytes]]:
         """Waiting pages that follow each other, together, in the order of their place."""

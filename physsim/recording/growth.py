@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import h5py
 import numpy as np
 from numpy.typing import NDArray
@@ -9,8 +11,10 @@ from numpy.typing import NDArray
 from physsim.recording import layout
 from physsim.recording.column import Column
 from physsim.recording.create import axis_dataset
-from physsim.recording.packed import put
+from physsim.recording.packed import Packed
 from physsim.recording.pending import Pending
+
+Numbers = NDArray[Any]
 
 
 class Growing:
@@ -18,39 +22,49 @@ class Growing:
 
     def __init__(self, file: h5py.File, columns: tuple[Column, ...]) -> None:
         self._columns = [column for column in columns if column.grows_along]
-        self._datasets = {column.path: file[column.path] for column in self._columns}
+        self._datasets = {column.path: Packed(file[column.path]) for column in self._columns}
         self._axes = {
             (group, dim): axis_dataset(file, group, dim) for group, dim in layout.bare_axes(columns)
         }
 
     def rows(self, path: str) -> int:
         """The length of a dataset, 0 when it is not recorded."""
-        return int(self._datasets[path].shape[0]) if path in self._datasets else 0
+        return self._datasets[path].rows if path in self._datasets else 0
 
     def append_all_but_time(self, pending: Pending) -> None:
-        for column in self._columns:
-            if column.path != "time":
-                self._append(column, pending)
+        added = {column.path: pending.of(column.path) for column in self._columns if column.path != "time"}
+        counts = added.get("contacts/offset")
+        if counts is not None:
+            added |= self._numbered(counts)
+        for path, rows in added.items():
+            self._append(layout.BY_PATH[path], rows)
 
     def append_time(self, pending: Pending) -> None:
-        self._append(layout.BY_PATH["time"], pending)
+        self._append(layout.BY_PATH["time"], pending.of("time"))
 
     def cut(self, lengths: dict[str, int]) -> None:
         """Shortens to a length for each axis."""
         for path, dataset in self._datasets.items():
-            dataset.resize(lengths[layout.BY_PATH[path].dims[0]], axis=0)
+            dataset.cut(lengths[layout.BY_PATH[path].dims[0]])
         for (_, dim), axis in self._axes.items():
             if dim in lengths:
                 axis.resize(lengths[dim], axis=0)
 
-    def _append(self, column: Column, pending: Pending) -> None:
-        added: NDArray[np.generic] | None = pending.of(column.path)
+    def _numbered(self, counts: Numbers) -> dict[str, Numbers | None]:
+        """`/contacts/frame` and `/contacts/offset` of frames with so many contact points each."""
+        first = self.rows("time")
+        ends = self.rows("contacts/frame") + np.cumsum(counts)
+        frames = np.repeat(np.arange(first, first + len(counts)), counts)
+        return {
+            "contacts/frame": frames if len(frames) else None,
+            "contacts/offset": ends if first else np.concatenate([[0], ends]),
+        }
+
+    def _append(self, column: Column, added: Numbers | None) -> None:
         if added is None:
             return
         dataset = self._datasets[column.path]
-        start = dataset.shape[0]
-        dataset.resize(start + len(added), axis=0)
-        put(dataset, start, added)
+        dataset.append(added)
         axis = self._axes.get((column.group, column.dims[0]))
         if axis is not None:
-            axis.resize(start + len(added), axis=0)
+            axis.resize(dataset.rows, axis=0)

@@ -1,4 +1,4 @@
-"""The recorder: takes frames as they come and writes them in blocks.
+"""The writer of a trajectory file: frames in hand become a block on the disk.
 
 A block is written in two flushes: first everything but `/time`, then `/time`. So the shortest dataset is
 always `/time`, and what it counts is whole, whenever the process is killed.
@@ -6,7 +6,6 @@ always `/time`, and what it counts is whole, whenever the process is killed.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -16,27 +15,24 @@ import h5py
 
 from physsim.errors import FileTrouble
 from physsim.recording import checkpoint as slots
+from physsim.recording.block import Rows
 from physsim.recording.checkpoint import Checkpoint
 from physsim.recording.column import Column
-from physsim.recording.create import LIBVER, block_frames, fill_new_file
+from physsim.recording.create import LIBVER, fill_new_file
 from physsim.recording.disk import Disk
 from physsim.recording.growth import Growing
 from physsim.recording.layout import Status
-from physsim.recording.pending import Pending, Rows
+from physsim.recording.pending import Pending
 from physsim.recording.safe import guarded
 from physsim.recording.target import Target, plain
 
-# A checkpoint, with the frames in hand, after this many seconds, so that a kill costs little work ...
-SECONDS_BETWEEN_CHECKPOINTS = 5.0
-# ... but only when this adds such a share to the open chunk: the chunk is stored anew each time.
-LEAST_GROWTH = 0.25
 
-
-class Recorder:
+class Writer:
     """Appends to one trajectory file.
 
-    Made by `Recorder.create` or `Recorder.resume`. Every method that writes raises FileTrouble when the
-    disk takes no more; the file is closed then and holds all blocks written before.
+    Made by `Writer.create` or `Writer.resume`. Every method that writes raises FileTrouble when the disk
+    takes no more; the file is closed then and holds all blocks written before. path: where the file is;
+    frames: how many are on the disk.
     """
 
     def __init__(
@@ -45,18 +41,16 @@ class Recorder:
         """`waiting`: the target whose name the file does not have yet."""
         self.path = path
         self.frames = int(file["time"].shape[0])
+        self.bodies = int(file["body"].shape[0])
         self._file = file
         self._disk = disk
         self._growing = Growing(file, columns)
         self._waiting = waiting
-        self._pending = Pending()
-        self._block = block_frames(file["body"].shape[0])
-        self._last_checkpoint = time.monotonic()
 
     @classmethod
     def create(
         cls, target: Target, columns: tuple[Column, ...], attributes: Mapping[str, Any], values: Rows
-    ) -> Recorder:
+    ) -> Writer:
         """A new file; what stands under the target's name is left alone until `finish`.
 
         values: the fixed datasets by path; attributes: of the root. Raises FileTrouble when it cannot be
@@ -72,67 +66,49 @@ class Recorder:
     @classmethod
     def resume(
         cls, path: Path, target: Target, columns: tuple[Column, ...], frames: int, events: int
-    ) -> Recorder:
+    ) -> Writer:
         """Goes on with the file at `path`, cut back to `frames` frames and `events` impacts.
 
         Raises FileTrouble when it cannot be opened for writing, or another process writes to it.
         """
         file, disk = _reopened(path)
-        recorder = cls(file, disk, path, columns, None if path == target.path else target)
-        with recorder._told_plainly(), guarded(path):
-            recorder._cut(frames, events)
-        return recorder
+        writer = cls(file, disk, path, columns, None if path == target.path else target)
+        with writer._told_plainly(), guarded(path):
+            writer._cut(frames, events)
+        return writer
 
-    def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None:
-        """One frame. frame, contacts: rows by dataset path; None for contacts when they are not recorded."""
-        number = self.frames + self._pending.frames
-        if contacts is not None:
-            self._pending.add_contacts(contacts, number, self._growing.rows("contacts/frame"))
-        self._pending.add_frame({"time": frame_time, "step": step, **frame})
-
-    def append_events(self, events: Rows) -> None:
-        """Impacts since the last call, rows by dataset path."""
-        self._pending.add_rows(events)
-
-    @property
-    def block_is_full(self) -> bool:
-        """Whether the frames in hand fill a chunk and should be written now."""
-        return self._pending.frames + self.frames % self._block >= self._block
-
-    @property
-    def checkpoint_is_due(self) -> bool:
-        """Whether it is time to save the engine, and the frames in hand with it."""
-        waited = time.monotonic() - self._last_checkpoint
-        new = self._pending.frames
-        worth_it = new == 0 or new >= LEAST_GROWTH * (self.frames % self._block)
-        return waited > SECONDS_BETWEEN_CHECKPOINTS and worth_it
-
-    def write_block(self) -> None:
+    def write_block(self, pending: Pending) -> None:
         """Writes the frames in hand."""
         with self._told_plainly():
-            self._commit()
+            self._commit(pending)
         self._take_free_name()
 
-    def write_checkpoint(self, engine: bytes, step: int) -> None:
+    def write_checkpoint(self, pending: Pending, engine: bytes, step: int) -> None:
         """Writes the frames in hand and the engine's state after `step` steps, down to the disk itself."""
         with self._told_plainly():
-            self._commit()
+            self._commit(pending)
             slots.save(self._file, self._checkpoint(engine, step))
             self._flush()
             self._disk.sync()
-        self._last_checkpoint = time.monotonic()
         self._take_free_name()
 
     def finish(
-        self, status: Status, detail: str, engine: bytes | None, step: int, provenance: Mapping[str, Any]
-    ) -> Path:
+        self,
+        pending: Pending,
+        *,
+        status: Status,
+        detail: str,
+        engine: bytes | None,
+        step: int,
+        provenance: Mapping[str, Any],
+    ) -> None:
         """Writes what is in hand, the last checkpoint, the status; closes; gives the file its name.
 
-        engine: None leaves the checkpoints as they are (after a failure). Returns where the file is: under
-        the target's name, unless a failed run with nothing but its first frame would replace an old file.
+        engine: None leaves the checkpoints as they are (after a failure). The file is then under the target's
+        name, unless a failed run with nothing but its first frame would replace an old file.
         """
         with self._told_plainly():
-            self._commit()
+            self._commit(pending)
             if engine is not None:
                 slots.save_last(self._file, self._checkpoint(engine, step), self._flush)
             for path, value in provenance.items():
@@ -144,15 +120,13 @@ class Recorder:
         self._take_free_name()
         if self._waiting and (status == "complete" or self.frames > 1):
             self._publish(self._waiting)
-        return self.path
 
-    def _commit(self) -> None:
-        self._growing.append_all_but_time(self._pending)
+    def _commit(self, pending: Pending) -> None:
+        self._growing.append_all_but_time(pending)
         self._flush()
-        self._growing.append_time(self._pending)
+        self._growing.append_time(pending)
         self._flush()
-        self.frames += self._pending.frames
-        self._pending = Pending()
+        self.frames += pending.frames
 
     def _cut(self, frames: int, events: int) -> None:
         """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""

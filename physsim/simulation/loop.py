@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import time
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from physsim._engine import Diverged, EngineError
+from physsim._engine import Diverged, EngineError, Frames
+from physsim.recording import Block
 from physsim.recording.layout import Status
-from physsim.simulation.measure import Rows
 from physsim.simulation.onlooker import Onlooker
 from physsim.simulation.progress import Progress, Throttle
 from physsim.simulation.stop import StopRequest
@@ -29,9 +30,9 @@ class Schedule:
     steps: int
     until_rest: bool
 
-    def next_frame(self, step: int) -> int:
-        """The first step after `step` that has a frame."""
-        return min((step // self.steps_per_frame + 1) * self.steps_per_frame, self.steps)
+    def steps_to_frame(self, step: int, number: int) -> int:
+        """From `step` to the frame that comes as the `number`-th after it, or to the last."""
+        return min((step // self.steps_per_frame + number) * self.steps_per_frame, self.steps) - step
 
     def has_frame(self, step: int) -> bool:
         return step % self.steps_per_frame == 0 or step == self.steps
@@ -54,26 +55,29 @@ class Ending:
 
 
 class Measuring(Protocol):
-    """Turns what the engine hands out into rows by dataset path: `Measure`, or a `Watch` of less."""
+    """Turns what the engine kept into rows by dataset path: `Measure`, or a `Watch` of less.
 
-    def frame(self, world: Any) -> Rows: ...
-    def contacts(self, world: Any) -> Rows: ...
-    def events(self, world: Any) -> Rows: ...
+    frames: where the engine keeps them.
+    """
+
+    frames: Frames
+
+    def take(self, world: Any) -> Block: ...
 
 
 class Keeping(Protocol):
-    """Takes rows as they come: the `Recorder` of a file, or a `Memory`."""
+    """Takes blocks of frames as they come: the `Recorder` of a file, or a `Memory`."""
 
     @property
     def frames(self) -> int: ...
     @property
-    def block_is_full(self) -> bool: ...
-    @property
-    def checkpoint_is_due(self) -> bool: ...
-    def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None: ...
-    def append_events(self, events: Rows) -> None: ...
+    def room(self) -> int: ...
+    def append(self, block: Block) -> None: ...
+    def checkpoint_is_due(self, coming: int) -> bool: ...
     def write_block(self) -> None: ...
     def write_checkpoint(self, engine: bytes, step: int) -> None: ...
+    def check(self) -> None: ...
+    def settle(self) -> None: ...
 
 
 class Loop:
@@ -87,7 +91,6 @@ class Loop:
         *,
         recorder: Keeping,
         report: Throttle,
-        record_contacts: bool,
         onlooker: Onlooker | None = None,
         step: int = 0,
     ) -> None:
@@ -97,7 +100,6 @@ class Loop:
         self._schedule = schedule
         self._recorder = recorder
         self._report = report
-        self._record_contacts = record_contacts
         self._onlooker = onlooker
         self._pace = _Pace()
         self._began = time.monotonic()
@@ -113,15 +115,12 @@ class Loop:
 
     def run(self, stop: StopRequest) -> Ending:
         """Steps and records until the end, rest, or a signal. What the engine raises passes through."""
-        if self._recorder.frames == 0:
-            self._begin()
-        while self.step < self._schedule.steps:
-            if stop.signal is not None:
-                return self._ended("interrupted", f"stopped by {stop.signal.name} at {self.time:g} s")
-            if self._at_rest():
-                return self._ended("complete", f"at rest at {self.time:g} s")
-            self._advance_to_frame(stop)
-        return self._ended("complete", f"ran to its end at {self.time:g} s")
+        try:
+            if self._recorder.frames == 0:
+                self._begin()
+            return self._run(stop)
+        finally:
+            self._hand_over()
 
     def run_to_its_end(self, stop: StopRequest, body_names: tuple[str, ...]) -> Ending:
         """As `run`; a motion that blows up, or an engine that fails, is an ending too."""
@@ -135,15 +134,25 @@ class Loop:
             return Ending("failed", str(error))
 
     def checkpoint(self) -> bytes:
-        """The engine as it is, with the impacts up to here handed to the recorder."""
-        self._collect_events()
+        """The engine as it is, with all frames and impacts up to here handed to the recorder."""
+        self._hand_over()
         engine: bytes = self._world.save()
         return engine
 
     def _begin(self) -> None:
         """Frame 0, the declared state, goes to the disk at once: from then on there is a file."""
-        self._record()
+        self._world.keep(self._measure.frames)
         self._recorder.write_checkpoint(self.checkpoint(), self.step)
+        self._recorder.settle()
+
+    def _run(self, stop: StopRequest) -> Ending:
+        while self.step < self._schedule.steps:
+            if stop.signal is not None:
+                return self._ended("interrupted", f"stopped by {stop.signal.name} at {self.time:g} s")
+            if self._at_rest():
+                return self._ended("complete", f"at rest at {self.time:g} s")
+            self._advance()
+        return self._ended("complete", f"ran to its end at {self.time:g} s")
 
     def _at_rest(self) -> bool:
         return (
@@ -152,44 +161,40 @@ class Loop:
             and self._world.solver()["rest_time"] >= REST_SECONDS
         )
 
-    def _advance_to_frame(self, stop: StopRequest) -> None:
-        """To the next frame, which is recorded, or to where a signal stops it.
-
-        In calls of about `SECONDS_PER_CALL`; the steps are the same however they are cut.
-        """
-        goal = self._schedule.next_frame(self.step)
-        while self.step < goal and stop.signal is None:
-            count = min(self._pace.steps, goal - self.step)
-            began = time.perf_counter()
-            self._world.advance(count, self._answer)
-            self._pace.took(count, time.perf_counter() - began)
-            self.step += count
-            self._report(lambda: self._progress("running"))
-            if self.step == goal:
-                self._record()
-            self._save_when_due()
-
-    def _record(self) -> None:
-        self._collect_events()
-        contacts = self._contacts() if self._record_contacts else None
-        frame = self._measure.frame(self._world)
-        self._recorder.append(self.step, self.time, frame, contacts)
+    def _advance(self) -> None:
+        """One call of the engine, of about `SECONDS_PER_CALL`; steps are the same however they are cut."""
+        schedule = self._schedule
+        count = min(self._pace.steps, schedule.steps_to_frame(self.step, self._room()))
+        began = time.perf_counter()
+        rest_time = REST_SECONDS if schedule.until_rest else math.inf
+        frames, due = self._measure.frames, (schedule.steps_per_frame, schedule.steps)
+        made = self._world.record(frames, count, *due, rest_time, self._answer)
+        self._pace.took(made, time.perf_counter() - began)
+        self.step += made
+        self._report(lambda: self._progress("running"))
         if self._onlooker is not None:
-            number = self._schedule.frame_at(self.step)
-            self._onlooker.frame(number, self.step, self.time, frame, contacts)
+            self._hand_over()
+        self._save_when_due()
 
-    def _contacts(self) -> Rows:
-        """Of the last step; none in frame 0, when no step has been done."""
-        found = self._measure.contacts(self._world)
-        return found if self.step else {path: rows[:0] for path, rows in found.items()}
+    def _room(self) -> int:
+        """Frames that may come before some must be written."""
+        return self._recorder.room - len(self._measure.frames)
 
-    def _collect_events(self) -> None:
-        self._recorder.append_events(self._measure.events(self._world))
+    def _hand_over(self) -> None:
+        """What the engine kept goes to the recorder, and to who looks on."""
+        block = self._measure.take(self._world)
+        self._recorder.append(block)
+        if self._onlooker is not None:
+            for rows, contacts in block:
+                step = int(rows["step"])
+                self._onlooker.frame(self._schedule.frame_at(step), step, float(rows["time"]), rows, contacts)
 
     def _save_when_due(self) -> None:
-        if self._recorder.checkpoint_is_due:
+        self._recorder.check()
+        if self._recorder.checkpoint_is_due(len(self._measure.frames)):
             self._recorder.write_checkpoint(self.checkpoint(), self.step)
-        elif self._recorder.block_is_full:
+        elif self._room() <= 0:
+            self._hand_over()
             self._recorder.write_block()
 
     def _ended(self, status: Status, detail: str) -> Ending:

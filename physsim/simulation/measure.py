@@ -1,4 +1,4 @@
-"""From the engine's state to the rows of the trajectory file."""
+"""From the engine's frames to the rows of the trajectory file."""
 
 from __future__ import annotations
 
@@ -7,90 +7,67 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from physsim._engine import Frames
+from physsim.recording.block import Block, joined
 from physsim.recording.orientation import rotated
 
 if TYPE_CHECKING:
     from physsim.model import Model
 
 Floats = NDArray[np.float64]
-Rows = dict[str, Any]
-
-_AS_THE_ENGINE_SAYS = (
-    "body_a",
-    "body_b",
-    "position",
-    "normal",
-    "depth",
-    "normal_impulse",
-    "tangential_impulse",
-    "sliding",
-)
-
-_OF_THE_SOLVER = ("residual", "iterations", "contact_count", "fallbacks")
+_OF_BODIES = ("orientation", "velocity", "angular_velocity")
+_IN_THE_FILE = {"velocity_before": "relative_velocity_before", "velocity_after": "relative_velocity_after"}
 
 
 class Measure:
-    """Turns what a world hands out into rows by dataset path; knows what of the model that takes."""
+    """Keeps frames in the engine while it steps, and turns them into rows by dataset path."""
 
     def __init__(self, model: Model) -> None:
+        record, mechanics = model.spec.record, model.mechanics
         self._center = np.asarray(model.center_of_mass)
         self._timestep = float(model.spec.simulation.timestep)
-        self._pair_rows = pair_rows(len(model.material_names))
-        self._energy = bool(model.spec.record.energy)
-        recorded = model.spec.record.joints
-        self._joints = len(model.mechanics.joints.names) if recorded else 0
-        self._springs = len(model.mechanics.springs.names) if recorded else 0
+        self._contacts = bool(record.contacts)
+        # The engine's joints are those of the scene and then the stops of springs, which are not recorded.
+        self.frames = Frames(
+            momentum=True,
+            energy=bool(record.energy),
+            contacts=self._contacts,
+            joints=len(mechanics.joints.names) if record.joints else 0,
+            springs=bool(record.joints and mechanics.springs.names),
+        )
 
-    def frame(self, world: Any) -> Rows:
-        """One row of every dataset over time but `time` and `step`.
-
-        The engine's joints are those of the scene and then the stops of springs, which are not recorded.
-        """
-        state, solver = world.state(), world.solver()
-        rows: Rows = {
-            "position": origins(state["position"], state["orientation"], self._center),
-            "orientation": state["orientation"],
-            "velocity": state["velocity"],
-            "angular_velocity": state["angular_velocity"],
-            **{f"solver/{name}": solver[name] for name in _OF_THE_SOLVER},
-            **self.momentum(world),
+    def take(self, world: Any) -> Block:
+        """What has been kept since the last call, and impacts up to now."""
+        found, more = self.frames.take(), world.events()
+        bodies, step = found.pop("bodies"), found.pop("step")
+        events, contacts = found.pop("events"), found.pop("contacts", None)
+        rows = {
+            "time": step * self._timestep,
+            "step": step,
+            "position": origins_over_time(bodies["position"], bodies["orientation"], self._center),
+            **{name: bodies[name] for name in _OF_BODIES},
+            **{f"{group}/{name}": rows for group, some in found.items() for name, rows in some.items()},
         }
-        if self._energy:
-            rows |= {f"energy/{name}": value for name, value in world.energies().items()}
-        if self._joints:
-            rows |= {f"joints/{name}": row[: self._joints] for name, row in world.joints().items()}
-        if self._springs:
-            rows |= {f"springs/{name}": row for name, row in world.springs().items()}
-        return rows
+        return Block(
+            rows if len(step) else {},
+            contacts and {_path(name): some for name, some in contacts.items()},
+            found["solver"]["contact_count"],
+            {f"events/{name}": some for name, some in joined([events, more]).items()},
+        )
 
-    def contacts(self, world: Any) -> Rows:
-        """The contact points of the last step, one row each.
 
-        Impulse j on A = normal and tangential part together; force = j / timestep, its mean over the step.
-        """
-        found = world.contacts()
-        impulse = found["normal_impulse"][:, None] * found["normal"] + found["tangential_impulse"]
-        return {
-            **{f"contacts/{name}": found[name] for name in _AS_THE_ENGINE_SAYS},
-            "contacts/impulse": impulse,
-            "contacts/force": impulse / self._timestep,
-            "contacts/relative_velocity_before": found["velocity_before"],
-            "contacts/relative_velocity_after": found["velocity_after"],
-            "contacts/pair": self._pair_rows[found["material_a"], found["material_b"]],
-        }
+def _path(name: str) -> str:
+    """Of a column of contacts in the file."""
+    return f"contacts/{_IN_THE_FILE.get(name, name)}"
 
-    @staticmethod
-    def events(world: Any) -> Rows:
-        """Impacts since the last call, one row each."""
-        return {f"events/{name}": rows for name, rows in world.events().items()}
 
-    @staticmethod
-    def momentum(world: Any) -> Rows:
-        """P = sum m v and, about the world's origin, L = sum (m x × v + L_body), over moving bodies.
-
-        Goldstein, Classical Mechanics, 3rd ed., eqs. 1.26 and 1.28.
-        """
-        return {f"momentum/{name}": value for name, value in world.momentum().items()}
+def origins_over_time(center: Floats, orientation: Floats, offset: Floats) -> Floats:
+    """`origins` of frames, (T, N, 3)."""
+    if not offset.any():
+        return center
+    frames = len(center)
+    found = origins(center.reshape(-1, 3), orientation.reshape(-1, 4), np.tile(offset, (frames, 1)))
+    return found.reshape(center.shape)
 
 
 def origins(center: Floats, orientation: Floats, offset: Floats) -> Floats:
@@ -102,11 +79,3 @@ def origins(center: Floats, orientation: Floats, offset: Floats) -> Floats:
     if len(apart):
         found[apart] -= rotated(orientation[apart], offset[apart])
     return found
-
-
-def pair_rows(materials: int) -> NDArray[np.int32]:
-    """Row of /pairs for each ordered pair of materials, (M, M): (0, 0), (0, 1), ..., (1, 1), (1, 2), ..."""
-    rows = np.zeros((materials, materials), np.int32)
-    first, second = np.triu_indices(materials)
-    rows[first, second] = rows[second, first] = np.arange(len(first))
-    return rows

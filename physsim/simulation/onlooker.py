@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Protocol
 
+from physsim.recording.block import Rows
 from physsim.recording.layout import Status
-from physsim.simulation.measure import Rows
 
 
 class Onlooker(Protocol):

@@ -108,7 +108,6 @@ def _simulate(
         prepared.schedule,
         recorder=recorder,
         report=report,
-        record_contacts=prepared.scene.spec.record.contacts,
         onlooker=onlooker,
         step=found.checkpoint.step if found else 0,
     )

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from physsim._engine import Frames
+from physsim.recording.block import Block, joined
 from physsim.simulation.loop import Ending, Loop, Schedule
-from physsim.simulation.measure import Measure, Rows
 from physsim.simulation.prepare import schedule_of
 from physsim.simulation.progress import Throttle
 from physsim.simulation.stop import Interrupted, StopRequest
@@ -26,14 +27,16 @@ if TYPE_CHECKING:
 
 BODY_FIELDS = ("position", "orientation", "velocity", "angular_velocity")
 _MOTION = ("velocity", "angular_velocity")
-# What the engine is asked for -> groups of quantities that it answers.
-_ASKED = {
-    "energies": ("energy",),
-    "solver": ("solver", "contacts"),
-    "joints": ("joints",),
-    "springs": ("springs",),
+# So many are kept in the engine before those columns of them that are wanted are taken out.
+FRAMES_AT_ONCE = 256
+# What the engine hands out -> groups of quantities that it answers.
+_ANSWERS = {
+    "energy": {"energy"},
+    "momentum": {"momentum"},
+    "solver": {"solver", "contacts"},
+    "joints": {"joints"},
+    "springs": {"springs"},
 }
-_GROUP_OF = {"energies": "energy"}
 _NEEDS = {
     "position": ("position", "orientation"),
     "speed": ("velocity",),
@@ -69,9 +72,11 @@ class Wanted:
         return self.bodies | {str(some.name) for some in self.quantities if some.group == "bodies"}
 
     @property
-    def needs_contacts(self) -> bool:
-        """Whether contacts are looked at, also for the forces that they put on a body."""
-        return self.contacts or any(some.field == "contact_force" for some in self.quantities)
+    def contact_columns(self) -> tuple[str, ...]:
+        """What is kept of contacts."""
+        if any(some.field == "contact_force" for some in self.quantities):
+            return ("body_a", "body_b", "force")
+        return ("body_a", "body_b") if self.contacts else ()
 
     @property
     def body_fields(self) -> list[str]:
@@ -94,14 +99,12 @@ def watch(scene: Scene, model: Model, wanted: Wanted) -> Watched:
         _frames(schedule_of(scene), wanted),
         recorder=memory,
         report=Throttle(None),
-        record_contacts=wanted.needs_contacts,
     )
     with StopRequest() as stop:
         ending = loop.run_to_its_end(stop, model.body_names)
     if ending.status == "interrupted":
         raise Interrupted(ending.detail)
-    impacts = Measure.events(simulated.world) if wanted.events else {}
-    return _watched(model, memory, wanted, ending, impacts)
+    return _watched(model, memory, wanted, ending)
 
 
 def _frames(schedule: Schedule, wanted: Wanted) -> Schedule:
@@ -112,65 +115,57 @@ def _frames(schedule: Schedule, wanted: Wanted) -> Schedule:
 
 
 class Watch:
-    """Measures, of every frame, what is wanted and nothing else."""
+    """Keeps, of every frame, what is wanted and nothing else: of bodies only those that are watched, at their
+    centres of mass; of contacts who touches whom, and the forces when these are wanted.
+    """
 
     def __init__(self, model: Model, wanted: Wanted) -> None:
-        self._measure = Measure(model)
-        self._groups = wanted.groups
+        self._wanted = wanted
         self._fields = wanted.body_fields
+        self._timestep = model.spec.simulation.timestep
         rows = [row for row, name in enumerate(model.body_names) if name in wanted.body_names]
-        self._rows = np.array(rows, np.intp)
-        self._asked = [group for group in _ASKED if self._groups & set(_ASKED[group])]
-        self._forces = any(some.field == "contact_force" for some in wanted.quantities)
+        groups = wanted.groups
+        self._groups = {group for group, answers in _ANSWERS.items() if groups & answers}
+        self.frames = Frames(
+            bodies=rows if self._fields else [],
+            momentum="momentum" in groups,
+            energy="energy" in groups,
+            contacts=bool(wanted.contact_columns),
+            joints=len(model.mechanics.joints.names) if "joints" in groups else 0,
+            springs="springs" in groups,
+        )
 
-    def frame(self, world: Any) -> Rows:
-        """Rows by dataset path, and what the engine hands out as a whole under the name that it has there. Of
-        bodies only those that are watched, at their centres of mass.
-        """
-        rows: Rows = {group: getattr(world, group)() for group in self._asked}
-        if self._fields:
-            state = world.state()
-            rows |= {name: state[name][self._rows] for name in self._fields}
-        if "momentum" in self._groups:
-            rows |= self._measure.momentum(world)
-        return rows
-
-    def contacts(self, world: Any) -> Rows:
-        """The contact points of the last step: who touches whom, and the rest when forces are wanted."""
-        if self._forces:
-            return self._measure.contacts(world)
-        found = world.contacts()
-        return {"contacts/body_a": found["body_a"], "contacts/body_b": found["body_b"]}
-
-    @staticmethod
-    def events(world: Any) -> Rows:
-        """None while the run goes on: the engine keeps them, and is asked for all of them at the end."""
-        return {}
+    def take(self, world: Any) -> Block:
+        """What has been kept since the last call, and impacts up to now."""
+        found, more = self.frames.take(), world.events()
+        rows = {f"{group}/{name}": some for group in self._groups for name, some in found[group].items()}
+        rows |= {name: found["bodies"][name] for name in self._fields}
+        return Block(
+            {"time": found["step"] * self._timestep, **rows},
+            {name: found["contacts"][name] for name in self._wanted.contact_columns},
+            found["solver"]["contact_count"],
+            joined([found["events"], more]) if self._wanted.events else {},
+        )
 
 
 class Memory:
-    """Keeps rows as they come; there is nothing to be saved."""
+    """Keeps blocks as they come; there is nothing to be saved."""
 
-    block_is_full = False
-    checkpoint_is_due = False
+    room = FRAMES_AT_ONCE
 
     def __init__(self) -> None:
-        self.time: list[float] = []
-        self.rows: list[Rows] = []
-        self.contacts: list[Rows] = []
+        self.blocks: list[Block] = []
 
     @property
     def frames(self) -> int:
-        return len(self.time)
+        return sum(block.frames for block in self.blocks)
 
-    def append(self, step: int, frame_time: float, frame: Rows, contacts: Rows | None = None) -> None:
-        self.time.append(frame_time)
-        self.rows.append(frame)
-        if contacts is not None:
-            self.contacts.append(contacts)
+    def append(self, block: Block) -> None:
+        self.blocks.append(block)
 
-    def append_events(self, events: Rows) -> None:
-        """Nothing comes before the end, see `Watch.events`."""
+    def checkpoint_is_due(self, coming: int) -> bool:
+        """No file, no checkpoint."""
+        return False
 
     def write_block(self) -> None:
         """No file, no block."""
@@ -178,27 +173,24 @@ class Memory:
     def write_checkpoint(self, engine: bytes, step: int) -> None:
         """No file, no checkpoint."""
 
+    def check(self) -> None:
+        """Nothing can go wrong."""
 
-def _watched(model: Model, memory: Memory, wanted: Wanted, ending: Ending, impacts: Rows) -> Watched:
+    def settle(self) -> None:
+        """Nothing is under way."""
+
+
+def _watched(model: Model, memory: Memory, wanted: Wanted, ending: Ending) -> Watched:
+    filled = [block for block in memory.blocks if block.frames]
+    columns = joined([block.rows for block in filled])
     return Watched(
-        time=np.array(memory.time),
+        time=columns.pop("time"),
         status=ending.status,
         status_detail=ending.detail,
         names=tuple(name for name in model.body_names if name in wanted.body_names),
         model=model,
-        columns=_columns(memory.rows),
-        touching=memory.contacts,
-        impacts=impacts,
+        columns=columns,
+        touching=joined([block.contacts or {} for block in filled]),
+        counts=np.concatenate([block.counts for block in filled]),
+        impacts=joined([block.events for block in memory.blocks]),
     )
-
-
-def _columns(rows: list[Rows]) -> Rows:
-    """Rows frame by frame -> columns over time by dataset path."""
-    columns: Rows = {}
-    for path, first in rows[0].items():
-        if isinstance(first, dict):
-            group = _GROUP_OF.get(path, path)
-            columns |= {f"{group}/{name}": np.array([row[path][name] for row in rows]) for name in first}
-        else:
-            columns[path] = np.array([row[path] for row in rows])
-    return columns

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from types import SimpleNamespace
@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from physsim.recording import BodyTrack
+from physsim.recording.block import Rows
 from physsim.recording.series import Array, Table
-from physsim.simulation.measure import Rows, origins
+from physsim.simulation.measure import origins
 
 if TYPE_CHECKING:
     from physsim.model import Model
@@ -27,7 +28,8 @@ class Watched:
     """A run in memory.
 
     time (T) [s]; status, status_detail: as in a file. names: the bodies that were watched; columns: what was
-    measured over time, by dataset path; touching: contacts frame by frame; impacts: the rows of /events.
+    measured over time, by dataset path; touching: columns of /contacts by name, of all frames one after the
+    other; counts: contact points of each frame; impacts: columns of /events by name.
     What was not wanted is not there (KeyError).
     """
 
@@ -37,7 +39,8 @@ class Watched:
     names: tuple[str, ...]
     model: Model
     columns: Rows
-    touching: Sequence[Rows]
+    touching: Rows
+    counts: Array
     impacts: Rows
 
     def as_trajectory(self) -> Trajectory:
@@ -82,16 +85,16 @@ class Watched:
     @cached_property
     def events(self) -> Table:
         """Every impact in the order of time, bodies by name."""
-        return self._table({path.partition("/")[2]: rows for path, rows in self.impacts.items()})
+        return self._table(self.impacts)
 
     def contact_rows(self, first: int, last: int, columns: Iterable[str] = _ENDS) -> Table:
         """The contact points of the frames first to last, the last not included: their frame, and columns of
         /contacts by name, bodies by name.
         """
-        some = self.touching[first:last]
-        wanted = [name for name in columns if name != "frame"]
-        found = {name: np.concatenate([rows[f"contacts/{name}"] for rows in some]) for name in wanted}
-        counts = [len(rows["contacts/body_a"]) for rows in some]
+        counts = self.counts[first:last]
+        start = int(self.counts[:first].sum())
+        own = slice(start, start + int(counts.sum()))
+        found = {name: self.touching[name][own] for name in columns if name != "frame"}
         return self._table({**found, "frame": np.repeat(np.arange(first, last), counts)})
 
     @cached_property

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from physsim.recording import Recorder, Target, layout, recorded
+from physsim.recording import Block, Recorder, Target, layout, recorded
 
 TIMESTEP = 0.001
 STEPS_PER_FRAME = 10
@@ -117,8 +117,9 @@ def start(path: Path, bodies: int) -> Recorder:
 
 
 def feed(recorder: Recorder, number: int, bodies: int) -> None:
-    recorder.append_events(events(number))
-    recorder.append(number * STEPS_PER_FRAME, time_of(number), frame(number, bodies), contacts(number))
+    one = {"time": time_of(number), "step": number * STEPS_PER_FRAME, **frame(number, bodies)}
+    rows = {path: np.asarray(row)[None] for path, row in one.items()}
+    recorder.append(Block(rows, contacts(number), np.array([number % 3]), events(number)))
 
 
 def record(path: Path, frames: int = 40, bodies: int = 3, first: int = 0, blocks: int = 7) -> Path:

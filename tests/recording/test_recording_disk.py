@@ -12,7 +12,7 @@ import made_up_run
 import numpy as np
 import pytest
 
-from physsim.recording import create, disk, open_trajectory, writer
+from physsim.recording import create, disk, open_trajectory, recorder
 from physsim.recording.disk import Disk
 
 BODIES = 3
@@ -20,10 +20,10 @@ BODIES = 3
 
 def one_frame_per_chunk(monkeypatch: pytest.MonkeyPatch) -> None:
     """So that the indexes of chunks split several times in a short run."""
-    for module in (create, writer):
+    for module in (create, recorder):
         monkeypatch.setattr(module, "block_frames", lambda bodies: 1)
     monkeypatch.setattr(create, "SMALL_CHUNK_FRAMES", 1)
-    monkeypatch.setattr(create, "CHUNK_ROWS", 1)
+    monkeypatch.setattr(create, "CHUNK_ROWS", (1, 1))
 
 
 @pytest.mark.parametrize(
@@ -53,6 +53,7 @@ def test_a_kill_between_any_two_writes(
         made_up_run.feed(recorder, number, BODIES)
         if number % 4 == 0:
             recorder.write_checkpoint(b"state %d" % number * 200, number)
+            recorder.settle()
             acknowledged = recorder.frames
     recorder.finish("complete", "", b"end", 0, {})
     monkeypatch.undo()
@@ -83,7 +84,10 @@ def test_what_is_written_is_read_before_and_after_a_flush(tmp_path: Path) -> Non
     path, dice, model = tmp_path / "file", random.Random(2), bytearray()
     with Disk(path, create=True) as file:
         for turn in range(400):
-            at, piece = dice.randrange(20_000), dice.randbytes(dice.choice([1, 40, 4095, 4096, 4097, 9000]))
+            at, piece = (
+                dice.randrange(20_000),
+                dice.randbytes(dice.choice([1, 40, 4095, 4096, 4097, 9000, 30_000])),
+            )
             file.seek(at)
             file.write(piece)
             model.extend(bytes(max(0, at + len(piece) - len(model))))
@@ -108,7 +112,7 @@ def test_a_full_disk_changes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyP
         with monkeypatch.context() as crowded:
             crowded.setattr(disk.os, "posix_fallocate", full)
             file.seek(0)
-            file.write(b"b" * 9000)
+            file.write(b"b" * 50_000)
             file.flush()
         assert isinstance(file.error, OSError)
         file.write(b"c" * 100)

@@ -29,6 +29,7 @@ for number in range(10**6):
         recorder.write_checkpoint(b"state %d" % number, number)
     elif number % 3 == 0:
         recorder.write_block()
+    recorder.settle()
     sys.stdout.write(f"{{recorder.frames}}\\n")
     sys.stdout.flush()
 """
@@ -110,6 +111,7 @@ def test_a_file_that_is_being_written_is_not_continued(tmp_path: Path) -> None:
     recorder = made_up_run.start(path, BODIES)
     made_up_run.feed(recorder, 0, BODIES)
     recorder.write_block()
+    recorder.settle()
     with pytest.raises(FileTrouble, match="another run is writing"):
         made_up_run.Recorder.resume(path, made_up_run.Target(path), made_up_run.COLUMNS, 1, 0)
     recorder.finish("complete", "", None, 0, {})

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from physsim.recording.packed import packed, put
+from physsim.recording.packed import Packed, packed
 
 SHAPES = [((), ()), ((7,), (3,)), ((5, 4), (2, 4))]
 
@@ -36,8 +36,7 @@ def test_what_was_put_is_read_back(  # noqa: PLR0917, what is drawn and what is 
     start = 0
     for length in lengths:
         with h5py.File(path, "r+") as file:
-            file["x"].resize(start + length, axis=0)
-            put(file["x"], start, whole[start : start + length])
+            Packed(file["x"]).append(whole[start : start + length])
         start += length
     with h5py.File(path) as file:
         np.testing.assert_array_equal(file["x"][()], whole)

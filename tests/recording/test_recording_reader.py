@@ -185,6 +185,7 @@ def test_reading_while_it_is_written(tmp_path: Path) -> None:
     for number in range(10):
         made_up_run.feed(recorder, number, BODIES)
     recorder.write_block()
+    recorder.settle()
     with open_trajectory(tmp_path / "live.h5") as trajectory:
         assert (trajectory.frames, trajectory.status, trajectory.being_written) == (10, "running", True)
         assert trajectory.position[9, 2, 1] == 9021.0

@@ -59,6 +59,7 @@ def test_another_run_on_the_same_file(tmp_path: Path) -> None:
     recorder = made_up_run.start(path, 3)
     made_up_run.feed(recorder, 0, 3)
     recorder.write_block()
+    recorder.settle()
     with pytest.raises(FileTrouble, match="another run is writing to it"):
         check(path, force=True)
     recorder.finish("complete", "", None, 0, {})
@@ -71,6 +72,7 @@ def test_a_new_file_has_its_name_from_the_first_block_on(tmp_path: Path) -> None
     assert not path.exists()
     made_up_run.feed(recorder, 0, 3)
     recorder.write_block()
+    recorder.settle()
     assert path.exists()
     assert recorder.finish("complete", "", None, 0, {}) == path
     assert sorted(tmp_path.iterdir()) == [path]
@@ -83,6 +85,7 @@ def test_an_old_file_stays_until_the_new_one_is_whole(recorded: Callable[..., Pa
     for number in range(9):
         made_up_run.feed(recorder, number, 3)
         recorder.write_block()
+        recorder.settle()
         assert path.read_bytes() == before
     recorder.finish("interrupted", "", None, 0, {})
     with open_trajectory(path) as trajectory:
@@ -128,6 +131,7 @@ try:
         made_up_run.feed(recorder, number, 5)
         if number % 7 == 0:
             recorder.write_checkpoint(b"x" * 1000, number)
+            recorder.settle()
             print(recorder.frames, flush=True)
 except FileTrouble as error:
     print(error)
@@ -203,6 +207,7 @@ def test_a_failing_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
     recorder = made_up_run.start(path, 3)
     made_up_run.feed(recorder, 0, 3)
     recorder.write_block()
+    recorder.settle()
     made_up_run.feed(recorder, 1, 3)
 
     def fail(handle: int, data: bytes, at: int) -> int:
@@ -210,7 +215,8 @@ def test_a_failing_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
 
     with monkeypatch.context() as broken:
         broken.setattr(disk.os, "pwrite", fail)
+        recorder.write_block()
         with pytest.raises(FileTrouble, match="input/output error"):
-            recorder.write_block()
+            recorder.settle()
     with open_trajectory(path) as trajectory:
         assert (trajectory.frames, trajectory.status) == (1, "running")

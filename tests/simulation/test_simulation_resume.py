@@ -151,7 +151,7 @@ def test_a_long_frame_is_saved_in_between(
     scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """One frame in the whole run: there are checkpoints all the same, here as often as can be."""
-    monkeypatch.setattr("physsim.recording.writer.SECONDS_BETWEEN_CHECKPOINTS", 0.0)
+    monkeypatch.setattr("physsim.recording.recorder.SECONDS_BETWEEN_CHECKPOINTS", 0.0)
     steps = []
 
     def look(progress: Progress) -> None:

@@ -8,6 +8,7 @@ import threading
 from collections.abc import Callable
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
@@ -16,9 +17,10 @@ from contents import differing
 
 import physsim
 from physsim.errors import ExpectationFailed, FileTrouble, Problem, RunFailed, SceneError
-from physsim.recording import NotInFile
+from physsim.recording import Block, NotInFile
 from physsim.simulation import Progress
 from physsim.simulation.loop import Schedule
+from physsim.simulation.measure import Measure
 
 Scene = Callable[..., Path]
 
@@ -56,10 +58,28 @@ def test_schedule(steps_per_frame: int, steps: int, frames: list[int]) -> None:
     schedule = Schedule(0.1, steps_per_frame, steps, until_rest=False)
     found, step = [], 0
     while step < steps:
-        step = schedule.next_frame(step)
+        step += schedule.steps_to_frame(step, 1)
         assert schedule.has_frame(step)
         found.append(step)
     assert found == frames
+
+
+def test_frames_leave_the_engine_in_blocks(
+    scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Not one by one: 60 frames fit in a chunk, so they come together, after frame 0 and before the end."""
+    taken: list[int] = []
+    take = Measure.take
+
+    def counted(self: Measure, world: Any) -> Block:
+        block = take(self, world)
+        taken.append(block.frames)
+        return block
+
+    monkeypatch.setattr(Measure, "take", counted)
+    with physsim.run(scene(), output=tmp_path / "run.h5") as trajectory:
+        assert trajectory.frames == 61
+    assert [count for count in taken if count] == [1, 60]
 
 
 def test_frame_0_is_the_declared_state(scene: Scene, tmp_path: Path) -> None:

@@ -2,16 +2,18 @@
 
 mod answers;
 mod forces;
+mod frames;
 mod input;
 mod joints;
 mod model;
+mod packing;
 mod picture;
 mod tables;
 
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::time::{Duration, Instant};
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DVec3};
 use numpy::IntoPyArray;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyException, PyRuntimeError, PyValueError};
@@ -20,10 +22,15 @@ use pyo3::types::{PyBytes, PyDict};
 
 use crate::collide::{Detector, Job};
 use crate::shape::Pose;
+use crate::world::frames::{BodyRows, JointRows, Plan};
 use crate::world::{Failure, World};
 use answers::Callback;
+use frames::PyFrames;
 use input::quaternion;
-use tables::{contact_table, table};
+use tables::{
+    body_columns, contact_table, energy_columns, event_columns, first_row, joint_columns,
+    momentum_columns, spring_columns, table,
+};
 
 create_exception!(
     _engine,
@@ -40,10 +47,6 @@ create_exception!(
 
 /// How often a long `advance` looks for signals.
 const SIGNAL_INTERVAL: Duration = Duration::from_millis(50);
-
-fn wxyz(q: DQuat) -> [f64; 4] {
-    [q.w, q.x, q.y, q.z]
-}
 
 /// Run engine code so that a panic becomes a Python exception.
 fn guarded<T>(f: impl FnOnce() -> T) -> PyResult<T> {
@@ -83,131 +86,80 @@ impl PyWorld {
     /// Make `steps` steps. Signals are looked for every 50 ms; a pending one raises between two steps.
     #[pyo3(signature = (steps, answer = None))]
     fn advance(&mut self, py: Python<'_>, steps: u64, answer: Option<Py<PyAny>>) -> PyResult<()> {
-        let mut callback = Callback(answer, None);
-        let mut left = steps;
-        while left > 0 {
-            let (world, oracle) = (&mut self.world, &mut callback);
-            let (made, result) =
-                py.detach(move || guarded(move || run_for(world, left, oracle)))?;
-            left -= made;
-            if let Err(error) = result {
-                return Err(failure(error, callback));
-            }
-            py.check_signals()?;
-        }
-        Ok(())
+        self.go(py, steps, answer, |_| true)
+    }
+
+    /// `advance`, but frames that are due are kept in `frames`: at steps that are multiples of `every`, and at step
+    /// `last`. Stops after a frame in which everything has rested for `rest_time` [s]. Returns how many steps were made.
+    #[pyo3(signature = (frames, steps, every, last, rest_time, answer = None))]
+    #[allow(clippy::too_many_arguments)] // a Python signature
+    fn record(
+        &mut self,
+        py: Python<'_>,
+        frames: &mut PyFrames,
+        steps: u64,
+        every: u64,
+        last: u64,
+        rest_time: f64,
+        answer: Option<Py<PyAny>>,
+    ) -> PyResult<u64> {
+        let plan = Plan {
+            every: every.max(1),
+            last,
+            rest_time,
+        };
+        let kept = &mut frames.frames;
+        let begun = self.world.steps();
+        self.go(py, steps, answer, |world| plan.keep(world, kept))?;
+        Ok(self.world.steps() - begun)
+    }
+
+    /// The present state as the next of the `frames`.
+    fn keep(&mut self, frames: &mut PyFrames) -> PyResult<()> {
+        guarded(|| frames.frames.keep(&mut self.world))
     }
 
     fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let bodies = self.world.bodies();
-        let out = PyDict::new(py);
-        out.set_item(
-            "position",
-            table(py, bodies.iter().map(|b| b.state.position.to_array()))?,
-        )?;
-        out.set_item(
-            "orientation",
-            table(py, bodies.iter().map(|b| wxyz(b.state.orientation)))?,
-        )?;
-        out.set_item(
-            "velocity",
-            table(py, bodies.iter().map(|b| b.state.velocity.to_array()))?,
-        )?;
-        out.set_item(
-            "angular_velocity",
-            table(py, bodies.iter().map(|b| b.angular_velocity.to_array()))?,
-        )?;
+        let mut rows = BodyRows::default();
+        self.world.bodies().iter().for_each(|b| rows.push(b));
+        let out = first_row(body_columns(py, rows, 1)?)?;
         out.set_item("step", self.world.steps())?;
         Ok(out)
     }
 
     /// Contact points of the last step.
     fn contacts<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        contact_table(py, self.world.contacts())
+        contact_table(py, self.world.contacts(), &self.world)
     }
 
     /// Impacts since the last call.
     fn events<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let events = self.world.take_events();
-        let out = PyDict::new(py);
-        let column = |f: fn(&crate::impact::Event) -> f64| {
-            events.iter().map(f).collect::<Vec<f64>>().into_pyarray(py)
-        };
-        #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
-        let ids = |f: fn(&crate::impact::Event) -> usize| {
-            events
-                .iter()
-                .map(|e| f(e) as i32)
-                .collect::<Vec<i32>>()
-                .into_pyarray(py)
-        };
-        out.set_item("time", column(|e| e.time))?;
-        out.set_item("body_a", ids(|e| e.bodies.0))?;
-        out.set_item("body_b", ids(|e| e.bodies.1))?;
-        out.set_item(
-            "position",
-            table(py, events.iter().map(|e| e.position.to_array()))?,
-        )?;
-        out.set_item(
-            "normal",
-            table(py, events.iter().map(|e| e.normal.to_array()))?,
-        )?;
-        out.set_item("speed_before", column(|e| e.speed_before))?;
-        out.set_item("speed_after", column(|e| e.speed_after))?;
-        out.set_item("impulse", column(|e| e.impulse))?;
-        out.set_item("restitution_declared", column(|e| e.restitution))?;
-        out.set_item(
-            "restitution_measured",
-            column(|e| e.speed_after / e.speed_before),
-        )?;
-        Ok(out)
+        event_columns(py, &self.world.take_events())
     }
 
     fn energies<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let e = self.world.energies();
-        let out = PyDict::new(py);
-        for (name, value) in [
-            ("kinetic_translational", e.kinetic_translational),
-            ("kinetic_rotational", e.kinetic_rotational),
-            ("gravitational", e.potential.gravitational),
-            ("gravitation", e.potential.gravitation),
-            ("spring", e.potential.spring),
-            ("work_forces", e.ledger.work_forces),
-            ("work_motors", e.ledger.work_motors),
-            ("lost_damping", e.ledger.lost_damping),
-            ("lost_friction", e.ledger.lost_friction),
-            ("lost_impact", e.ledger.lost_impact),
-            ("stabilization", e.ledger.stabilization),
-            ("residual", e.residual()),
-        ] {
-            out.set_item(name, value + 0.0)?; // the sum of nothing is -0
-        }
-        Ok(out)
+        first_row(energy_columns(py, &[self.world.energies()])?)
     }
 
     /// Of all that moves: linear momentum, and angular momentum about the world's origin.
     fn momentum<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let (linear, angular) = self.world.momentum();
-        let out = PyDict::new(py);
-        for (name, value) in [("linear", linear), ("angular", angular)] {
-            out.set_item(name, value.to_array().to_vec().into_pyarray(py))?;
-        }
-        Ok(out)
+        first_row(momentum_columns(py, &[self.world.momentum()])?)
     }
 
     /// Loads, coordinates and errors of joints at this instant.
     fn joints<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let loads = guarded(|| self.world.joint_loads())?;
-        tables::joint_table(py, &self.world, &loads)
+        let mut rows = JointRows::default();
+        guarded(|| rows.push(&mut self.world, usize::MAX))?;
+        first_row(joint_columns(py, rows, 1)?)
     }
 
     /// Lengths and tensions of springs, angles and torques of torsional ones.
     fn springs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let (lengths, forces): (Vec<f64>, Vec<f64>) = self.world.springs().unzip();
-        let out = PyDict::new(py);
-        out.set_item("length", lengths.into_pyarray(py))?;
-        out.set_item("force", forces.into_pyarray(py))?;
-        Ok(out)
+        first_row(spring_columns(
+            py,
+            &self.world.springs().collect::<Vec<_>>(),
+            1,
+        )?)
     }
 
     fn solver<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
@@ -231,7 +183,7 @@ impl PyWorld {
     ) -> PyResult<Bound<'py, PyDict>> {
         let mut callback = Callback(answer, None);
         match guarded(|| self.world.detect(margin, &mut callback))? {
-            Ok(contacts) => contact_table(py, &contacts),
+            Ok(contacts) => contact_table(py, &contacts, &self.world),
             Err(error) => Err(failure(error, callback)),
         }
     }
@@ -301,18 +253,55 @@ impl PyWorld {
     }
 }
 
-/// Steps until `left` are made or it is time to look for signals.
-fn run_for(world: &mut World, left: u64, oracle: &mut Callback) -> (u64, Result<(), Failure>) {
+impl PyWorld {
+    /// Steps until `steps` are made or `after` a step says no. Signals are looked for every 50 ms.
+    fn go(
+        &mut self,
+        py: Python<'_>,
+        steps: u64,
+        answer: Option<Py<PyAny>>,
+        mut after: impl FnMut(&mut World) -> bool + Send,
+    ) -> PyResult<()> {
+        let mut callback = Callback(answer, None);
+        let mut left = steps;
+        while left > 0 {
+            let (world, oracle, then) = (&mut self.world, &mut callback, &mut after);
+            let (made, result) =
+                py.detach(move || guarded(move || run_for(world, left, oracle, then)))?;
+            left = if made.goes_on { left - made.steps } else { 0 };
+            if let Err(error) = result {
+                return Err(failure(error, callback));
+            }
+            py.check_signals()?;
+        }
+        Ok(())
+    }
+}
+
+/// What `run_for` came to.
+struct Made {
+    steps: u64,
+    goes_on: bool,
+}
+
+/// Steps until `left` are made, `after` a step says no, or it is time to look for signals.
+fn run_for(
+    world: &mut World,
+    left: u64,
+    oracle: &mut Callback,
+    after: &mut impl FnMut(&mut World) -> bool,
+) -> (Made, Result<(), Failure>) {
     let start = Instant::now();
-    let mut made = 0;
-    while made < left {
+    let mut made = Made {
+        steps: 0,
+        goes_on: true,
+    };
+    while made.steps < left && made.goes_on && start.elapsed() <= SIGNAL_INTERVAL {
         if let Err(error) = world.step(oracle) {
             return (made, Err(error));
         }
-        made += 1;
-        if start.elapsed() > SIGNAL_INTERVAL {
-            break;
-        }
+        made.steps += 1;
+        made.goes_on = after(world);
     }
     (made, Ok(()))
 }
@@ -320,7 +309,9 @@ fn run_for(world: &mut World, left: u64, oracle: &mut Callback) -> (u64, Result<
 #[pymodule]
 fn _engine(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<PyWorld>()?;
+    m.add_class::<PyFrames>()?;
     m.add_function(wrap_pyfunction!(picture::draw, m)?)?;
+    m.add_function(wrap_pyfunction!(packing::shuffled, m)?)?;
     m.add("Diverged", m.py().get_type::<Diverged>())?;
     m.add("EngineError", m.py().get_type::<EngineError>())?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;

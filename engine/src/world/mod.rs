@@ -1,6 +1,7 @@
 //! The world and its step.
 
 mod contacts;
+pub mod frames;
 mod located;
 mod readings;
 mod snapshot;
