@@ -15,7 +15,6 @@ _Answer = Callable[
 
 __version__: str
 
-def shuffled(items: npt.NDArray[np.uint8], size: int) -> npt.NDArray[np.uint8]: ...
 def draw(picture: Mapping[str, object], threads: int = 1) -> npt.NDArray[np.uint8]: ...
 
 class Diverged(Exception):

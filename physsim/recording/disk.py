@@ -81,11 +81,8 @@ class Disk(io.RawIOBase):
 
     def write(self, data: Any) -> int:
         view = memoryview(data).cast("B")
-        whole = self._whole_pages(self._at, self._at + len(view))
-        if len(whole) >= LONG:
-            self._keep(view[: whole.start - self._at], self._at)
-            self._write_through(view[whole.start - self._at : whole.stop - self._at], whole.start)
-            self._keep(view[whole.stop - self._at :], whole.stop)
+        if len(view) >= LONG and self._at >= self._end:
+            self._write_through(view, self._at)
         else:
             self._keep(view, self._at)
         self._at += len(view)
@@ -116,11 +113,6 @@ class Disk(io.RawIOBase):
             super().close()
             os.close(self._handle)
 
-    def _whole_pages(self, start: int, stop: int) -> range:
-        """The part of a range of the file that is whole pages beyond the old end."""
-        first = -(-max(start, self._end) // PAGE) * PAGE
-        return range(first, max(stop // PAGE * PAGE, first))
-
     def _keep(self, view: memoryview, at: int) -> None:
         """Lets bytes wait for the flush."""
         for number, first, last in _pieces(at, len(view)):
@@ -128,9 +120,11 @@ class Disk(io.RawIOBase):
             self._page(number)[first:last] = view[begin + first : begin + last]
 
     def _write_through(self, view: memoryview, at: int) -> None:
-        """Writes whole pages beyond the old end."""
-        for number in range(at // PAGE, (at + len(view)) // PAGE):
-            self._pages.pop(number, None)
+        """Writes beyond the old end, and into pages that wait there already."""
+        for number, first, last in _pieces(at, len(view)):
+            if number in self._pages:
+                begin = number * PAGE - at
+                self._pages[number][first:last] = view[begin + first : begin + last]
         if self.error is None:
             with self._giving_up():
                 self._claim(at + len(view))

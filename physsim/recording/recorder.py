@@ -8,6 +8,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from physsim.recording.behind import Behind
 from physsim.recording.block import Block, Rows
 from physsim.recording.column import Column
@@ -21,6 +23,16 @@ from physsim.recording.writer import Writer
 SECONDS_BETWEEN_CHECKPOINTS = 5.0
 # ... but only when this adds such a share to the open chunk: the chunk is stored anew each time.
 LEAST_GROWTH = 0.25
+# Just below 32 MiB, glibc's DEFAULT_MMAP_THRESHOLD_MAX.
+LARGEST_KEPT = (32 << 20) - (64 << 10)
+
+
+def _keep_memory() -> None:
+    """Blocks of tens of megabytes come and go, and having the system clear their memory anew for each takes
+    longer than filling it. A buffer of the greatest size that glibc learns from, taken and given back, makes
+    it keep such memory; see mallopt(3), M_MMAP_THRESHOLD. Elsewhere it does nothing.
+    """
+    np.empty(LARGEST_KEPT, np.uint8)
 
 
 class Recorder:
@@ -33,6 +45,7 @@ class Recorder:
     """
 
     def __init__(self, writer: Writer) -> None:
+        _keep_memory()
         self._writer = writer
         self._behind = Behind("physsim-recorder")
         self._pending = Pending()

@@ -6,7 +6,6 @@ mod frames;
 mod input;
 mod joints;
 mod model;
-mod packing;
 mod picture;
 mod tables;
 
@@ -311,7 +310,6 @@ fn _engine(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<PyWorld>()?;
     m.add_class::<PyFrames>()?;
     m.add_function(wrap_pyfunction!(picture::draw, m)?)?;
-    m.add_function(wrap_pyfunction!(packing::shuffled, m)?)?;
     m.add("Diverged", m.py().get_type::<Diverged>())?;
     m.add("EngineError", m.py().get_type::<EngineError>())?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;

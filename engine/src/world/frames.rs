@@ -11,6 +11,9 @@ use crate::ledger::Energies;
 
 use super::World;
 
+/// Contacts that are read column by column while they are in the nearest cache.
+const AT_ONCE: usize = 32;
+
 /// What of a world is kept.
 #[derive(Clone, Debug, Default)]
 pub struct Choice {
@@ -164,33 +167,34 @@ impl ContactRows {
         self.sliding.reserve(count);
     }
 
-    /// Contacts of the last step of a world.
-    pub fn extend(&mut self, contacts: &[Contact], world: &World) {
-        self.reserve(contacts.len());
-        for contact in contacts {
-            self.push(contact, world.settings.timestep, world.pairs.len());
-        }
-    }
-
-    /// One contact of a step of `timestep`, in a scene of so many `materials`. On A: j = j_n n + j_t, F = j / dt.
+    /// Contacts of the last step of a world. On A: j = j_n n + j_t, F = j / dt.
     #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
-    fn push(&mut self, c: &Contact, timestep: f64, materials: usize) {
-        let normal_impulse = c.impulse.x + c.impact_impulse.dot(c.normal);
-        let tangential = c.tangential_impulse();
-        let impulse = normal_impulse * c.normal + tangential;
-        self.body_a.push(c.bodies.0 as i32);
-        self.body_b.push(c.bodies.1 as i32);
-        self.position.push(c.position.to_array());
-        self.normal.push(c.normal.to_array());
-        self.depth.push(-c.gap);
-        self.impulse.push(impulse.to_array());
-        self.normal_impulse.push(normal_impulse);
-        self.tangential_impulse.push(tangential.to_array());
-        self.force.push((impulse / timestep).to_array());
-        self.velocity_before.push(c.velocity_before.to_array());
-        self.velocity_after.push(c.velocity_after.to_array());
-        self.pair.push(pair_row(c.materials, materials) as i32);
-        self.sliding.push(i8::from(c.sliding));
+    pub fn extend(&mut self, contacts: &[Contact], world: &World) {
+        let (timestep, materials) = (world.settings.timestep, world.pairs.len());
+        let normal = |c: &Contact| c.impulse.x + c.impact_impulse.dot(c.normal);
+        let whole = |c: &Contact| normal(c) * c.normal + c.tangential_impulse();
+        self.reserve(contacts.len());
+        for some in contacts.chunks(AT_ONCE) {
+            let all = || some.iter();
+            self.body_a.extend(all().map(|c| c.bodies.0 as i32));
+            self.body_b.extend(all().map(|c| c.bodies.1 as i32));
+            self.position.extend(all().map(|c| c.position.to_array()));
+            self.normal.extend(all().map(|c| c.normal.to_array()));
+            self.depth.extend(all().map(|c| -c.gap));
+            self.impulse.extend(all().map(|c| whole(c).to_array()));
+            self.normal_impulse.extend(all().map(normal));
+            self.tangential_impulse
+                .extend(all().map(|c| c.tangential_impulse().to_array()));
+            self.force
+                .extend(all().map(|c| (whole(c) / timestep).to_array()));
+            self.velocity_before
+                .extend(all().map(|c| c.velocity_before.to_array()));
+            self.velocity_after
+                .extend(all().map(|c| c.velocity_after.to_array()));
+            self.pair
+                .extend(all().map(|c| pair_row(c.materials, materials) as i32));
+            self.sliding.extend(all().map(|c| i8::from(c.sliding)));
+        }
     }
 }
 
