@@ -17,12 +17,11 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-from reference import commands, materials, not_yet, quantities, scene, trajectory  # noqa: E402
+from reference import commands, materials, quantities, scene, trajectory  # noqa: E402
 
 PARTS: dict[str, Callable[[], str]] = {
     "commands": commands.as_markdown,
     "materials": materials.as_markdown,
-    "not_yet": not_yet.as_markdown,
     "quantities": quantities.as_markdown,
     "scene": scene.as_markdown,
     "trajectory": trajectory.as_markdown,

@@ -30,7 +30,7 @@ pub struct Answer {
 }
 
 /// Somebody who knows every pair of shapes.
-pub trait Oracle {
+pub trait Oracle: Send {
     /// Answer all queries, in order; `None` where the geoms are apart.
     ///
     /// # Errors
@@ -56,6 +56,15 @@ pub struct Job {
     pub poses: (Pose, Pose),
     /// Points with a gap below this are wanted [m].
     pub margin: f64,
+}
+
+impl Job {
+    /// Stands where no job is yet.
+    pub const NONE: Self = Self {
+        geoms: (0, 0),
+        poses: (Pose::IDENTITY, Pose::IDENTITY),
+        margin: 0.0,
+    };
 }
 
 /// A contact point and the job that it answers.

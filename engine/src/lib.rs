@@ -16,6 +16,7 @@ pub mod impact;
 pub mod integrator;
 mod islands;
 pub mod joint;
+mod layout;
 pub mod ledger;
 pub mod loads;
 pub mod math;
@@ -31,6 +32,7 @@ pub mod roll;
 pub mod shape;
 pub mod solver;
 mod subspace;
+pub mod team;
 pub mod world;
 
 #[cfg(feature = "python")]

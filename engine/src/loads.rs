@@ -11,6 +11,7 @@ use crate::joint::{Ahead, Joints, Row};
 use crate::mover::Twist;
 use crate::paths::Paths;
 use crate::profile::Moment;
+use crate::team::fill;
 
 /// Wrenches and accelerations of all bodies.
 #[derive(Clone, Debug, Default)]
@@ -58,13 +59,17 @@ impl Loads {
         if !articulation.is_empty() {
             articulation.load(joints, bodies, ahead);
         }
-        for (k, (a, body)) in self.free.iter_mut().zip(bodies).enumerate() {
+        let (free, wrenches, jointed) = (&self.free, &self.wrenches, &*articulation);
+        let count = (bodies.len(), Twist::default());
+        fill(&mut self.accelerations, count, &|k| {
+            let mut a = free[k];
             // A free body's contacts are solved with the angular momentum it will have and the inertia it has now.
-            if articulation.home(k).is_none() {
-                a.angular_velocity = body.inverse_inertia * self.wrenches[k].torque;
+            if jointed.home(k).is_none() {
+                a.angular_velocity = bodies[k].inverse_inertia * wrenches[k].torque;
             }
-        }
-        self.accelerations.clone_from(&self.free);
+            a
+        });
+        self.free.clone_from(&self.accelerations);
         articulation.hold(|row| -row.bias, &mut self.accelerations);
     }
 

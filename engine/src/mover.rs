@@ -1,5 +1,7 @@
 //! What the solvers read and write: bodies as they move while impulses are still being found.
 
+use std::ops::{Index, IndexMut};
+
 use glam::{DMat3, DVec3};
 
 use crate::body::Body;
@@ -116,5 +118,43 @@ impl Mover {
         let change = self.response(p, r);
         self.twist.velocity += change.velocity;
         self.twist.angular_velocity += change.angular_velocity;
+    }
+}
+
+/// Movers by their index.
+pub(crate) trait Movers: IndexMut<usize, Output = Mover> {}
+
+impl<T: IndexMut<usize, Output = Mover> + ?Sized> Movers for T {}
+
+/// Some of the movers that are solved together, by their index among them all.
+pub(crate) struct Window<'a> {
+    first: usize,
+    movers: &'a mut [Mover],
+}
+
+impl<'a> Window<'a> {
+    pub(crate) fn new(movers: &'a mut [Mover]) -> Self {
+        Self { first: 0, movers }
+    }
+
+    /// The first so many of them, and the others.
+    pub(crate) fn halves(&mut self, middle: usize) -> (Window<'_>, Window<'_>) {
+        let (a, b) = self.movers.split_at_mut(middle);
+        let window = |first, movers| Window { first, movers };
+        (window(self.first, a), window(self.first + middle, b))
+    }
+}
+
+impl Index<usize> for Window<'_> {
+    type Output = Mover;
+
+    fn index(&self, index: usize) -> &Mover {
+        &self.movers[index - self.first]
+    }
+}
+
+impl IndexMut<usize> for Window<'_> {
+    fn index_mut(&mut self, index: usize) -> &mut Mover {
+        &mut self.movers[index - self.first]
     }
 }

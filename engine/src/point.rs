@@ -1,15 +1,17 @@
 //! A contact as the solver sweeps over it: what a pass reads and writes, and nothing else, side by side in memory.
 
+use std::ops::Index;
+
 use glam::DVec3;
 
 use crate::contact::{Contact, Friction};
 use crate::disc::friction_in_disc;
 use crate::math::length;
-use crate::mover::{Mover, Moving, Part, Twist};
+use crate::mover::{Movers, Moving, Part, Twist};
 use crate::roll::Roll;
 
 /// A contact in the solve at hand.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Point {
     pub(crate) bodies: (u32, u32),
     kinetic: bool,
@@ -36,10 +38,8 @@ pub(crate) struct Point {
 }
 
 impl Point {
-    /// Of a contact; its rolling friction is lent out until `give_back`.
-    pub(crate) fn of(c: &mut Contact, quiet_speed: f64) -> Self {
-        #[allow(clippy::cast_possible_truncation)]
-        let bodies = (c.bodies.0 as u32, c.bodies.1 as u32);
+    /// Of a contact between movers of these indices, but for its rolling friction.
+    pub(crate) fn of(c: &Contact, bodies: (u32, u32), quiet_speed: f64) -> Self {
         let k = c.stiffness();
         Self {
             bodies,
@@ -57,14 +57,13 @@ impl Point {
             friction: c.friction_coefficient(),
             kinetic_friction: c.coefficients.kinetic_friction,
             impulse: c.impulse,
-            roll: c.roll.take(),
+            roll: None,
         }
     }
 
     /// The results, to the contact that this is of.
-    pub(crate) fn give_back(&mut self, c: &mut Contact) {
+    pub(crate) fn tell(&self, c: &mut Contact) {
         c.impulse = self.impulse;
-        c.roll = self.roll.take();
         if self.kinetic {
             c.friction = Friction::Kinetic;
         }
@@ -93,18 +92,21 @@ impl Point {
     }
 
     /// What the velocity is beyond the target, along the normal, and the slip along the tangents [m/s].
-    pub(crate) fn velocity(&self, movers: &[Mover]) -> DVec3 {
+    pub(crate) fn velocity(&self, movers: &(impl Movers + ?Sized)) -> DVec3 {
         self.relative(&movers[self.a()].twist, &movers[self.b()].twist) + self.offset
     }
 
     /// Relative angular velocity, in world axes [rad/s].
-    pub(crate) fn turning(&self, moving: &[impl Moving]) -> DVec3 {
+    pub(crate) fn turning<M: Moving>(
+        &self,
+        moving: &(impl Index<usize, Output = M> + ?Sized),
+    ) -> DVec3 {
         let (a, b) = (moving[self.a()].twist(), moving[self.b()].twist());
         a.angular_velocity - b.angular_velocity
     }
 
     /// The bodies get an impulse, given along normal and tangents.
-    pub(crate) fn push(&self, movers: &mut [Mover], impulse: DVec3) {
+    pub(crate) fn push(&self, movers: &mut (impl Movers + ?Sized), impulse: DVec3) {
         if impulse == DVec3::ZERO {
             return;
         }
@@ -114,7 +116,7 @@ impl Point {
     }
 
     /// What an impulse along normal and tangents does to the two bodies.
-    pub(crate) fn responses(&self, movers: &[Mover], impulse: DVec3) -> [Twist; 2] {
+    pub(crate) fn responses(&self, movers: &(impl Movers + ?Sized), impulse: DVec3) -> [Twist; 2] {
         let p = self.to_world(impulse);
         [
             movers[self.a()].response(p, self.arms.0),
@@ -151,7 +153,7 @@ impl Point {
     }
 
     /// The exact answer of the contact, all others held; returns the greatest change of its velocity [m/s].
-    pub(crate) fn solve(&mut self, movers: &mut [Mover], part: Part) -> f64 {
+    pub(crate) fn solve(&mut self, movers: &mut (impl Movers + ?Sized), part: Part) -> f64 {
         let u = self.velocity(movers);
         let old = self.impulse;
         let normal = (old.x - (u.x + self.give * old.x) * self.inverse.x).max(0.0);
@@ -201,7 +203,7 @@ impl Point {
     }
 
     /// Static and on the rim of the disc, but slips faster than `noticeable`: kinetic from now on.
-    pub(crate) fn release(&mut self, movers: &[Mover], noticeable: f64) -> bool {
+    pub(crate) fn release(&mut self, movers: &(impl Movers + ?Sized), noticeable: f64) -> bool {
         let full = self.friction * self.impulse.x;
         let held = length(self.impulse.y, self.impulse.z) < full * (1.0 - 1e-9);
         if self.kinetic || held || self.impulse.x == 0.0 {
@@ -217,7 +219,7 @@ impl Point {
     }
 
     /// The exact answer of rolling and spinning friction, all else held; returns the change as a speed [m/s].
-    pub(crate) fn solve_roll(&mut self, movers: &mut [Mover]) -> f64 {
+    pub(crate) fn solve_roll(&mut self, movers: &mut (impl Movers + ?Sized)) -> f64 {
         if self.roll.is_none() {
             return 0.0;
         }
@@ -228,7 +230,7 @@ impl Point {
     /// Change the angular impulse, where there is any; returns the change as a speed [m/s].
     pub(crate) fn set_turn(
         &mut self,
-        movers: &mut [Mover],
+        movers: &mut (impl Movers + ?Sized),
         new: impl FnOnce(&Roll) -> DVec3,
     ) -> f64 {
         let Some(roll) = &mut self.roll else {
@@ -243,7 +245,7 @@ impl Point {
     }
 
     /// The bodies get an angular impulse, in world axes.
-    pub(crate) fn turn(&self, movers: &mut [Mover], q: DVec3) {
+    pub(crate) fn turn(&self, movers: &mut (impl Movers + ?Sized), q: DVec3) {
         if q != DVec3::ZERO {
             movers[self.a()].turn(q);
             movers[self.b()].turn(-q);

@@ -21,17 +21,21 @@
 //! Joints are not swept: after every sweep they are solved exactly for what the contacts did (`articulation`), and the
 //! linear solves see bodies with their joints.
 
+use std::sync::{Mutex, PoisonError};
+
 use glam::DVec3;
 
 use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::direct::Direct;
-use crate::islands::{Island, Islands};
+use crate::islands::{index, Islands};
 use crate::joint::Row;
-use crate::mover::{Mover, Part, Twist};
+use crate::layout::{visit, Block, Layer, Layout, Plan};
+use crate::mover::{Mover, Part, Twist, Window};
 use crate::point::Point;
 use crate::subspace::Subspace;
+use crate::team::{both, each_with, fill, gather};
 
 /// Sweeps between two linear solves; twice as many where these are not exact.
 const SWEEPS: usize = 2;
@@ -52,6 +56,9 @@ const MISTAKES: usize = 3;
 const CHEAP: usize = 1;
 /// Where all is quiet: a wall of 30 layers takes 8, of 60 layers 15, a heap of a thousand balls 50.
 const DEAR: usize = 16;
+
+/// Slot of a contact that is not solved.
+const NOWHERE: u32 = u32::MAX;
 
 /// What a solve came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -84,6 +91,14 @@ impl Limits {
 }
 
 impl Report {
+    /// Of two islands.
+    fn and(self, other: Self) -> Self {
+        Self {
+            residual: self.residual.max(other.residual),
+            iterations: self.iterations.max(other.iterations),
+        }
+    }
+
     fn then(self, next: Self) -> Self {
         Self {
             residual: next.residual,
@@ -92,11 +107,43 @@ impl Report {
     }
 }
 
+/// Contacts that are worth handing to another thread.
+const HANDFUL: usize = 200;
+
 /// Working memory, kept from solve to solve.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Solver {
+    /// Of all bodies.
     movers: Vec<Mover>,
+    /// Of all bodies [m].
+    centres: Vec<DVec3>,
+    /// Sum of what accelerates bodies [m/s^2].
+    down: DVec3,
+    /// Bodies of the contacts to be solved.
+    pairs: Vec<(u32, u32)>,
+    /// Those of the solve before: from the same pairs follow the same islands.
+    pairs_before: Vec<(u32, u32)>,
+    /// Bodies that connect nothing.
+    fixed: Vec<bool>,
+    islands: Islands,
+    layout: Layout,
+    /// Island by island.
     points: Vec<Point>,
+    /// Of the islands without joints, island by island.
+    placed: Vec<Mover>,
+    reports: Vec<Report>,
+    /// Of each contact its point.
+    slots: Vec<u32>,
+    /// Some contact has rolling friction.
+    rolls: bool,
+    /// Who solves islands: as many as do it at once.
+    workers: Mutex<Vec<Worker>>,
+    residuals: Vec<f64>,
+}
+
+/// Solves one island after the other.
+#[derive(Debug, Default)]
+struct Worker {
     /// Impulses before the last leap.
     kept: Vec<DVec3>,
     subspace: Subspace,
@@ -105,9 +152,6 @@ pub struct Solver {
     leap: Option<Leap>,
     /// Wrong guesses in it.
     wrong: usize,
-    islands: Islands,
-    island: Island,
-    residuals: Vec<f64>,
 }
 
 /// How the contacts of an island that carry are solved together.
@@ -127,24 +171,52 @@ enum Leap {
 /// What one island is solved with.
 pub(crate) struct System<'a> {
     pub(crate) points: &'a mut [Point],
-    pub(crate) articulation: &'a mut Articulation,
-    pub(crate) assemblies: &'a [usize],
     pub(crate) movers: &'a mut [Mover],
+    pub(crate) joints: Option<Jointed<'a>>,
+    parts: &'a [Layer],
+}
+
+/// The joints of an island.
+pub(crate) struct Jointed<'a> {
+    pub(crate) articulation: &'a mut Articulation,
+    pub(crate) assemblies: &'a [u32],
+}
+
+/// Islands without joints, one after the other, with what is theirs.
+struct Chunk<'a> {
+    blocks: &'a [Block],
+    points: &'a mut [Point],
+    movers: &'a mut [Mover],
+    reports: &'a mut [Report],
 }
 
 impl Solver {
     /// Begin from the bodies as they move now.
     pub fn load(&mut self, bodies: &[Body]) {
-        self.movers.clear();
-        self.movers.extend(bodies.iter().map(Mover::of));
+        let blank = Mover::of(&bodies[0]);
+        fill(&mut self.movers, (bodies.len(), blank), &|k| {
+            Mover::of(&bodies[k])
+        });
+        self.note_centres(bodies);
+        self.down = DVec3::ZERO;
     }
 
     /// Begin from the bodies as they will move after the time `h` at these accelerations.
     pub fn load_after(&mut self, bodies: &[Body], accelerations: &[Twist], h: f64) {
-        self.load(bodies);
-        for (mover, a) in self.movers.iter_mut().zip(accelerations) {
-            mover.twist.add_scaled(a, h);
-        }
+        let blank = Mover::of(&bodies[0]);
+        fill(&mut self.movers, (bodies.len(), blank), &|k| {
+            let mut mover = Mover::of(&bodies[k]);
+            mover.twist.add_scaled(&accelerations[k], h);
+            mover
+        });
+        self.note_centres(bodies);
+        self.down = accelerations.iter().map(|a| a.velocity).sum();
+    }
+
+    fn note_centres(&mut self, bodies: &[Body]) {
+        fill(&mut self.centres, (bodies.len(), DVec3::ZERO), &|k| {
+            bodies[k].state.position
+        });
     }
 
     /// Solve the contacts named by `which`, from the impulses that stand in them, and all joints, as they were aimed.
@@ -159,64 +231,143 @@ impl Solver {
     ) -> Report {
         self.residuals.clear();
         self.residuals.resize(self.movers.len(), 0.0);
-        let mut report = Report::default();
-        let mut island = std::mem::take(&mut self.island);
-        self.islands
-            .divide(&self.movers, contacts, which, articulation);
-        let mut start = 0;
-        while let Some(next) = self.islands.take(start, &mut island) {
-            start = next;
-            let one = self.solve_island(contacts, articulation, &island, limits);
-            report.residual = report.residual.max(one.residual);
-            report.iterations = report.iterations.max(one.iterations);
+        if which.is_empty() && articulation.is_empty() {
+            return Report::default();
         }
-        self.island = island;
-        report
+        self.lay_out(contacts, which, articulation);
+        self.lend(contacts, which, limits);
+        self.solve_free(limits);
+        self.solve_jointed(articulation, limits);
+        self.give_back(contacts, which);
+        let reports = self.reports.iter();
+        reports.fold(Report::default(), |worst, one| worst.and(*one))
     }
 
-    fn solve_island(
-        &mut self,
-        contacts: &mut [Contact],
-        articulation: &mut Articulation,
-        island: &Island,
-        limits: Limits,
-    ) -> Report {
-        let mut movers = std::mem::take(&mut self.movers);
-        let mut points = std::mem::take(&mut self.points);
-        points.clear();
-        let members = island.contacts.iter();
-        points.extend(members.map(|&k| Point::of(&mut contacts[k], limits.quiet_speed)));
-        let coupled = !island.assemblies.is_empty() || points.iter().any(|p| p.roll.is_some());
-        let krylov = coupled || limits.tolerance < DIGITS;
-        (self.leap, self.wrong) = (krylov.then_some(Leap::Krylov), 0);
-        for p in &points {
-            p.push(&mut movers, p.impulse);
-            let q = p
-                .roll
-                .as_ref()
-                .map_or(DVec3::ZERO, |r| r.to_world(r.impulse));
-            p.turn(&mut movers, q);
+    /// Who is solved with whom, and where.
+    fn lay_out(&mut self, contacts: &[Contact], which: &[usize], articulation: &Articulation) {
+        std::mem::swap(&mut self.pairs, &mut self.pairs_before);
+        fill(&mut self.pairs, (which.len(), (0, 0)), &|k| {
+            let (a, b) = contacts[which[k]].bodies;
+            (index(a), index(b))
+        });
+        let movers = &self.movers;
+        let as_before = self.pairs == self.pairs_before && self.fixed.len() == movers.len();
+        if !(as_before && articulation.is_empty() && self.layout.is_uncut()) {
+            fill(&mut self.fixed, (movers.len(), false), &|k| {
+                movers[k].inverse_mass == 0.0
+            });
+            let plan = Plan {
+                pairs: &self.pairs,
+                centres: &self.centres,
+                down: self.down,
+                fixed: &self.fixed,
+            };
+            self.islands.divide(plan.pairs, plan.fixed, articulation);
+            self.layout.arrange(&self.islands, plan);
         }
-        let mut system = System {
-            points: &mut points,
-            articulation,
-            assemblies: &island.assemblies,
-            movers: &mut movers,
-        };
-        system.hold_joints();
-        let report = if island.contacts.is_empty() {
-            Report::default()
-        } else {
-            self.release(&mut system, limits)
-        };
-        for (p, &k) in points.iter_mut().zip(&island.contacts) {
-            p.give_back(&mut contacts[k]);
-            self.residuals[p.a()] = report.residual;
-            self.residuals[p.b()] = report.residual;
+        let bodies = &self.layout.bodies;
+        if let Some(&blank) = movers.first() {
+            fill(&mut self.placed, (bodies.len(), blank), &|slot| {
+                movers[bodies[slot] as usize]
+            });
         }
-        self.movers = movers;
-        self.points = points;
-        report
+        self.reports.clear();
+        let islands = self.islands.count().0;
+        self.reports.resize(islands, Report::default());
+    }
+
+    /// Contacts as the sweeps see them, island by island.
+    fn lend(&mut self, contacts: &mut [Contact], which: &[usize], limits: Limits) {
+        let (order, ends) = (&self.layout.contacts, &self.layout.ends);
+        self.slots.clear();
+        self.slots.resize(contacts.len(), NOWHERE);
+        for (slot, &k) in (0..).zip(order) {
+            self.slots[which[k as usize]] = slot;
+        }
+        let lent = &*contacts;
+        let rolls = |part: &[Contact]| part.iter().any(|c| c.roll.is_some());
+        self.rolls = gather(lent, HANDFUL, &rolls, &|a, b| a || b);
+        fill(&mut self.points, (order.len(), Point::default()), &|slot| {
+            let c = &lent[which[order[slot] as usize]];
+            Point::of(c, ends[slot], limits.quiet_speed)
+        });
+        self.pass_rolls(contacts);
+    }
+
+    /// Rolling friction, to the points that have none and back again.
+    fn pass_rolls(&mut self, contacts: &mut [Contact]) {
+        if !self.rolls {
+            return;
+        }
+        for (c, &slot) in contacts.iter_mut().zip(&self.slots) {
+            if let Some(p) = self.points.get_mut(slot as usize) {
+                std::mem::swap(&mut p.roll, &mut c.roll);
+            }
+        }
+    }
+
+    /// Islands without joints, some at once.
+    fn solve_free(&mut self, limits: Limits) {
+        let (_, free) = self.islands.count();
+        let blocks = &self.layout.blocks[..];
+        let points = blocks.last().map_or(0, |last| last.points.end);
+        let chunk = Chunk {
+            blocks,
+            points: &mut self.points[..points],
+            movers: &mut self.placed,
+            reports: &mut self.reports[..free],
+        };
+        chunk.solve(&self.layout.parts, &self.workers, limits);
+        for (block, report) in blocks.iter().zip(&self.reports) {
+            for place in block.movers.clone() {
+                let body = self.layout.bodies[place] as usize;
+                let mover = &mut self.movers[body];
+                if mover.inverse_mass != 0.0 {
+                    mover.twist = self.placed[place].twist;
+                    self.residuals[body] = report.residual;
+                }
+            }
+        }
+    }
+
+    /// Islands with joints, one after the other.
+    fn solve_jointed(&mut self, articulation: &mut Articulation, limits: Limits) {
+        let (islands, free) = self.islands.count();
+        let workers = self.workers.get_mut();
+        let workers = workers.unwrap_or_else(PoisonError::into_inner);
+        let mut worker = workers.pop().unwrap_or_default();
+        for island in free..islands {
+            let points = &mut self.points[self.islands.contacts.range(island)];
+            let mut system = System {
+                points,
+                movers: &mut self.movers,
+                joints: Some(Jointed {
+                    articulation,
+                    assemblies: self.islands.assemblies.of(island),
+                }),
+                parts: &[Layer::WHOLE],
+            };
+            let report = worker.solve(&mut system, limits);
+            for &body in self.islands.bodies.of(island) {
+                self.residuals[body as usize] = report.residual;
+            }
+            self.reports[island] = report;
+        }
+        workers.push(worker);
+    }
+
+    fn give_back(&mut self, contacts: &mut [Contact], which: &[usize]) {
+        self.pass_rolls(contacts);
+        let points = &self.points;
+        if which.len() == contacts.len() {
+            each_with(contacts, &self.slots, &|c, &slot| {
+                points[slot as usize].tell(c)
+            });
+            return;
+        }
+        for (p, &k) in points.iter().zip(&self.layout.contacts) {
+            p.tell(&mut contacts[which[k as usize]]);
+        }
     }
 
     /// Relative velocity of a contact after the solve, along normal and tangents [m/s].
@@ -241,6 +392,81 @@ impl Solver {
     #[must_use]
     pub fn residuals(&self) -> &[f64] {
         &self.residuals
+    }
+}
+
+impl Chunk<'_> {
+    /// Solve its islands; as soon as they are many, halves of them at once.
+    fn solve(self, parts: &[Layer], workers: &Mutex<Vec<Worker>>, limits: Limits) {
+        if self.blocks.len() > 1 && self.points.len() > HANDFUL {
+            let (a, b) = self.halves();
+            both(
+                || a.solve(parts, workers, limits),
+                || b.solve(parts, workers, limits),
+            );
+            return;
+        }
+        let locked = || workers.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut worker = locked().pop().unwrap_or_default();
+        let (mut points, mut movers) = (self.points, self.movers);
+        for (block, report) in self.blocks.iter().zip(self.reports) {
+            let (own_points, later_points) = points.split_at_mut(block.points.len());
+            let (own_movers, later_movers) = movers.split_at_mut(block.movers.len());
+            let mut system = System {
+                points: own_points,
+                movers: own_movers,
+                joints: None,
+                parts: &parts[block.parts.clone()],
+            };
+            *report = worker.solve(&mut system, limits);
+            (points, movers) = (later_points, later_movers);
+        }
+        locked().push(worker);
+    }
+
+    /// Where about half of the contacts are on either side.
+    fn halves(self) -> (Self, Self) {
+        let (first, last) = (&self.blocks[0], self.blocks.len() - 1);
+        let half = first.points.start + self.points.len() / 2;
+        let at = self.blocks.partition_point(|b| b.points.end < half);
+        let at = at.clamp(1, last);
+        let border = &self.blocks[at];
+        let (points, movers) = (
+            border.points.start - first.points.start,
+            border.movers.start - first.movers.start,
+        );
+        let (blocks, later_blocks) = self.blocks.split_at(at);
+        let (points, later_points) = self.points.split_at_mut(points);
+        let (movers, later_movers) = self.movers.split_at_mut(movers);
+        let (reports, later_reports) = self.reports.split_at_mut(at);
+        let first = Self {
+            blocks,
+            points,
+            movers,
+            reports,
+        };
+        let second = Self {
+            blocks: later_blocks,
+            points: later_points,
+            movers: later_movers,
+            reports: later_reports,
+        };
+        (first, second)
+    }
+}
+
+impl Worker {
+    /// Solve an island from the impulses that stand in its contacts.
+    fn solve(&mut self, system: &mut System, limits: Limits) -> Report {
+        let coupled = system.joints.is_some() || system.points.iter().any(|p| p.roll.is_some());
+        let krylov = coupled || limits.tolerance < DIGITS;
+        (self.leap, self.wrong) = (krylov.then_some(Leap::Krylov), 0);
+        system.push();
+        system.hold_joints();
+        if system.points.is_empty() {
+            return Report::default();
+        }
+        self.release(system, limits)
     }
 
     /// First how much each contact carries, with friction as it stands: friction that is cut off at a cone which is
@@ -377,9 +603,29 @@ impl Solver {
 impl System<'_> {
     /// Joints take up what contacts did to them, exactly.
     fn hold_joints(&mut self) {
-        for &assembly in self.assemblies {
-            self.articulation.solve(assembly, self.movers);
+        if let Some(joints) = &mut self.joints {
+            for &assembly in joints.assemblies {
+                joints.articulation.solve(assembly as usize, self.movers);
+            }
         }
+    }
+
+    /// Bodies of an assembly.
+    pub(crate) fn bodies(&self, assembly: u32) -> &[usize] {
+        let joints = self.joints.as_ref();
+        joints.map_or(&[], |j| j.articulation.bodies(assembly as usize))
+    }
+
+    /// Bodies get the impulses that contacts begin with.
+    fn push(&mut self) {
+        let movers = Window::new(self.movers);
+        visit(self.parts, self.points, movers, false, &|p, movers| {
+            p.push(movers, p.impulse);
+            if let Some(roll) = &p.roll {
+                p.turn(movers, roll.to_world(roll.impulse));
+            }
+            0.0
+        });
     }
 
     /// Those of all contacts, then the angular ones of those that have any.
@@ -428,19 +674,15 @@ impl System<'_> {
     /// One sweep; returns the greatest change of a relative velocity [m/s]. Every other sweep goes backwards: what a
     /// stack passes on reaches both its ends.
     fn sweep(&mut self, part: Part, backwards: bool) -> f64 {
-        let mut worst = 0.0_f64;
-        let movers = &mut *self.movers;
-        let mut visit = |p: &mut Point| {
-            worst = worst.max(p.solve(movers, part));
+        let movers = Window::new(self.movers);
+        let worst = visit(self.parts, self.points, movers, backwards, &|p, movers| {
+            let change = p.solve(movers, part);
             if part == Part::All {
-                worst = worst.max(p.solve_roll(movers));
+                change.max(p.solve_roll(movers))
+            } else {
+                change
             }
-        };
-        if backwards {
-            self.points.iter_mut().rev().for_each(&mut visit);
-        } else {
-            self.points.iter_mut().for_each(&mut visit);
-        }
+        });
         self.hold_joints();
         worst
     }

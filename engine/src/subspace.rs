@@ -259,8 +259,11 @@ impl Subspace {
     /// out = (A W + eps diag(A)) basis[from], scaled.
     fn multiply(&mut self, system: &mut System, from: usize, out: &mut Vec<DVec3>) {
         self.push_bodies(system, from);
-        for &assembly in system.assemblies {
-            system.articulation.respond(assembly, &mut self.responses);
+        if let Some(joints) = &mut system.joints {
+            for &assembly in joints.assemblies {
+                let assembly = assembly as usize;
+                joints.articulation.respond(assembly, &mut self.responses);
+            }
         }
         out.clear();
         let mut unknowns = self.freedom.iter().zip(&self.basis[from]);
@@ -282,14 +285,14 @@ impl Subspace {
 
     /// What the impulses that a vector stands for do to the bodies of the island.
     fn push_bodies(&mut self, system: &System, from: usize) {
-        let (points, movers) = (&system.points, &system.movers);
+        let (points, movers) = (&*system.points, &*system.movers);
         self.responses.resize(movers.len(), Twist::default());
         for c in points.iter() {
             self.responses[c.a()] = Twist::default();
             self.responses[c.b()] = Twist::default();
         }
-        for &assembly in system.assemblies {
-            for &body in system.articulation.bodies(assembly) {
+        for &assembly in system.joints.iter().flat_map(|j| j.assemblies) {
+            for &body in system.bodies(assembly) {
                 self.responses[body] = Twist::default();
             }
         }

@@ -18,9 +18,9 @@ if TYPE_CHECKING:
     from physsim.model import Model
     from physsim.scene import Scene
 
-# What may differ between the run in the file and its continuation: how long it goes on, and what is asked
-# afterwards.
-FREE_TO_DIFFER = ("simulation.duration", "expect")
+# What may differ between the run in the file and its continuation: how long it goes on, on how many threads,
+# and what is asked afterwards.
+FREE_TO_DIFFER = ("simulation.duration", "simulation.threads", "expect")
 MOST_DIFFERENCES_TOLD = 5
 
 

@@ -30,6 +30,7 @@ pub use wrench::{Potential, Powers, Wrench};
 
 use crate::body::Body;
 use crate::profile::Moment;
+use crate::team::each_with;
 use gravitation::Gravitation;
 use spring::Spring;
 use sum::Sum;
@@ -83,9 +84,9 @@ impl Forces {
     /// potential. A fixed body takes nothing; where it is moved as prescribed, the power that its drive spends on
     /// springs and gravitation counts as that of a motor.
     pub fn evaluate(&self, bodies: &[Body], moment: Moment, wrenches: &mut [Wrench]) -> Powers {
-        for (wrench, body) in wrenches.iter_mut().zip(bodies) {
+        each_with(wrenches, bodies, &|wrench, body| {
             wrench.force += self.gravity * body.mass.mass;
-        }
+        });
         let mut sum = Sum::new(bodies, wrenches);
         self.gravitation.add(&mut sum);
         for spring in &self.springs {

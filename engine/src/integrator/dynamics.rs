@@ -7,6 +7,7 @@ use crate::joint::{Joints, Row};
 use crate::mover::Twist;
 use crate::paths::Paths;
 use crate::profile::Moment;
+use crate::team::{each_with, fill};
 
 use super::divide::Mark;
 use super::runge_kutta::Stage;
@@ -84,9 +85,9 @@ impl Dynamics<'_> {
 
     /// Velocities take in the wrenches over a time.
     pub(super) fn kick(&self, bodies: &mut [Body], time: f64) {
-        for (body, w) in bodies.iter_mut().zip(&self.scratch.wrenches) {
+        each_with(bodies, &self.scratch.wrenches, &|body, w| {
             body.apply_wrench(w.force * time, w.torque * time);
-        }
+        });
     }
 
     /// Add the joint forces to `scratch.wrenches`: those with which J a + bias = 0, or what Baumgarte makes of it.
@@ -143,10 +144,12 @@ pub fn accelerations_at(
 
 /// Accelerations without joints: a = F / m, alpha = I^-1 (torque - omega x L).
 pub fn free_accelerations(bodies: &[Body], wrenches: &[Wrench], out: &mut Vec<Twist>) {
-    out.clear();
-    out.extend(bodies.iter().zip(wrenches).map(|(b, w)| Twist {
-        velocity: w.force * b.mass.inverse_mass,
-        angular_velocity: b.inverse_inertia
-            * (w.torque - b.angular_velocity.cross(b.state.angular_momentum)),
-    }));
+    fill(out, (bodies.len(), Twist::default()), &|k| {
+        let (b, w) = (&bodies[k], &wrenches[k]);
+        Twist {
+            velocity: w.force * b.mass.inverse_mass,
+            angular_velocity: b.inverse_inertia
+                * (w.torque - b.angular_velocity.cross(b.state.angular_momentum)),
+        }
+    });
 }

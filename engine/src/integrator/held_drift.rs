@@ -5,6 +5,7 @@ use super::rotation::{rotate_free, Splitting};
 use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::joint::Joints;
+use crate::team::each;
 
 /// Rounds of Newton's method on the constraints at most; each gains a factor of about omega dt, and 0.3 where a chain of
 /// 100 links cracks like a whip.
@@ -26,7 +27,7 @@ impl Dynamics<'_> {
     pub(super) fn drift(&mut self, bodies: &mut [Body], splitting: Splitting) {
         let h = self.span.1;
         if self.articulation.is_empty() {
-            bodies.iter_mut().for_each(|b| free_drift(b, h, splitting));
+            each(bodies, &|b| free_drift(b, h, splitting));
             return;
         }
         self.articulation.load_bilateral(self.joints, bodies);
@@ -37,7 +38,7 @@ impl Dynamics<'_> {
         if self.baumgarte {
             self.project_loaded_velocities(bodies);
             self.note_reactions(1.0);
-            bodies.iter_mut().for_each(|b| free_drift(b, h, splitting));
+            each(bodies, &|b| free_drift(b, h, splitting));
             self.place_prescribed(bodies, 1.0);
         } else {
             self.held_drift(bodies, splitting, &wanted);

@@ -76,10 +76,11 @@ struct PyWorld {
 impl PyWorld {
     #[new]
     fn new(model: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let threads = model::read_threads(model)?;
         let model = model::read_model(model)?;
-        Ok(Self {
-            world: guarded(|| World::new(model))?,
-        })
+        let mut world = guarded(|| World::new(model))?;
+        world.set_threads(threads);
+        Ok(Self { world })
     }
 
     /// Make `steps` steps. Signals are looked for every 50 ms; a pending one raises between two steps.
@@ -265,8 +266,9 @@ impl PyWorld {
         let mut left = steps;
         while left > 0 {
             let (world, oracle, then) = (&mut self.world, &mut callback, &mut after);
-            let (made, result) =
-                py.detach(move || guarded(move || run_for(world, left, oracle, then)))?;
+            let (made, result) = py.detach(|| {
+                guarded(|| world.together(|world| run_for(world, left, oracle, then)))
+            })?;
             left = if made.goes_on { left - made.steps } else { 0 };
             if let Err(error) = result {
                 return Err(failure(error, callback));

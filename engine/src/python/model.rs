@@ -16,6 +16,15 @@ use crate::integrator::Integrator;
 use crate::model::{Coefficients, Geom, Model, PairTable, Settings, Stabilization};
 use crate::shape::{Hull, Shape, TriangleMesh};
 
+/// How many threads the world is to step on.
+pub(super) fn read_threads(model: &Bound<'_, PyDict>) -> PyResult<usize> {
+    let threads: usize = Input(model).item("threads")?.extract()?;
+    if threads == 0 {
+        return Err(PyValueError::new_err("threads must be at least 1"));
+    }
+    Ok(threads)
+}
+
 fn read_settings(input: &Input<'_>) -> PyResult<Settings> {
     let integrator = match input.text("integrator")?.as_str() {
         "explicit_euler" => Integrator::ExplicitEuler,

@@ -6,6 +6,8 @@ mod located;
 mod readings;
 mod snapshot;
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::approach::{near_margin, Approach, StepStart};
@@ -26,6 +28,7 @@ use crate::paths::Paths;
 use crate::position::Correction;
 use crate::shape::{Aabb, Pose};
 use crate::solver::{Report, Solver};
+use crate::team::{each, each_with, fill, gather, Team};
 
 /// Speeds above this are a blow-up, not physics [m/s].
 const SPEED_LIMIT: f64 = 1e8;
@@ -35,6 +38,11 @@ const REST_SPEED: f64 = 1e-3;
 /// A contact that keeps less than this part of its K among the joints is held by them. With a hundredth of that a chain
 /// that folds up gains more energy than it had.
 const RIGID: f64 = 1e-2;
+
+/// Worlds of fewer bodies are stepped by the thread that asks.
+const FEW: usize = 100;
+/// Bodies that are watched at a time.
+const WATCHED: usize = 1024;
 
 /// Why a step could not be made.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,6 +99,7 @@ pub struct World {
     values: Vec<f64>,
     /// Part of the step that is already made [s].
     passed: f64,
+    team: Team,
 }
 
 impl World {
@@ -144,10 +153,27 @@ impl World {
             every: Vec::new(),
             values: Vec::new(),
             passed: 0.0,
+            team: Team::new(1),
         };
         world.paths.arrive(&mut world.bodies, 0.0);
         world.ledger.initial = world.energies().total();
         world
+    }
+
+    /// Step on so many threads from now on, at least one. Results are the same for every number.
+    pub fn set_threads(&mut self, threads: usize) {
+        self.team = Team::new(threads);
+    }
+
+    /// Do `work`, such as many steps, on the threads of this world: cheaper than gathering them for every step.
+    pub fn together<T: Send>(&mut self, work: impl FnOnce(&mut Self) -> T + Send) -> T {
+        if self.bodies.len() < FEW {
+            return work(self);
+        }
+        match self.team.pool() {
+            Some(pool) => pool.install(|| work(self)),
+            None => work(self),
+        }
     }
 
     /// One step of the timestep.
@@ -155,6 +181,10 @@ impl World {
     /// # Errors
     /// [`Failure`]; the state is then that of the failed step.
     pub fn step(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+        self.together(|world| world.make_step(oracle))
+    }
+
+    fn make_step(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
         self.impacts.begin_step();
         if self.settings.locates() {
             self.advance_located(oracle)?;
@@ -210,15 +240,7 @@ impl World {
     fn collide(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
         self.foresee_travels(h);
         self.find_candidates();
-        self.jobs.clear();
-        for &(i, j) in &self.candidates {
-            let (a, b) = (&self.geoms[i as usize], &self.geoms[j as usize]);
-            self.jobs.push(Job {
-                geoms: (i, j),
-                poses: (self.poses[i as usize], self.poses[j as usize]),
-                margin: near_margin(a, b) + self.travels[a.body] + self.travels[b.body],
-            });
-        }
+        self.list_jobs();
         let start = StepStart {
             settings: &self.settings,
             geoms: &self.geoms,
@@ -265,22 +287,24 @@ impl World {
             let swept = if spin > 0.0 { spin * b.reach } else { 0.0 };
             h * (b.state.velocity.length() + a.velocity.length() * h + swept)
         };
-        let bodies = self.bodies.iter();
-        self.travels.clear();
-        self.travels
-            .extend(bodies.zip(&self.loads.accelerations).map(travel));
+        let (bodies, accelerations) = (&self.bodies, &self.loads.accelerations);
+        fill(&mut self.travels, (bodies.len(), 0.0), &|k| {
+            travel((&bodies[k], &accelerations[k]))
+        });
     }
 
     /// Pairs of geoms whose boxes, grown by what the bodies may travel in a step, overlap.
     fn find_candidates(&mut self) {
-        self.poses.clear();
-        self.boxes.clear();
-        for geom in &self.geoms {
-            let pose = geom.pose(&self.bodies[geom.body].pose());
-            let grown = self.travels[geom.body] + near_margin(geom, geom);
-            self.boxes.push(geom.shape.aabb(&pose).expanded(grown));
-            self.poses.push(pose);
-        }
+        let (geoms, bodies, travels) = (&self.geoms, &self.bodies, &self.travels);
+        fill(&mut self.poses, (geoms.len(), Pose::IDENTITY), &|k| {
+            geoms[k].pose(&bodies[geoms[k].body].pose())
+        });
+        let poses = &self.poses;
+        fill(&mut self.boxes, (geoms.len(), Aabb::EMPTY), &|k| {
+            let geom = &geoms[k];
+            let grown = travels[geom.body] + near_margin(geom, geom);
+            geom.shape.aabb(&poses[k]).expanded(grown)
+        });
         let places = Places {
             geoms: &self.geoms,
             poses: &self.poses,
@@ -290,6 +314,20 @@ impl World {
         let bodies = &self.bodies;
         self.broadphase
             .pairs(&places, |k| !bodies[k].is_fixed(), &mut self.candidates);
+    }
+
+    fn list_jobs(&mut self) {
+        let (geoms, poses, travels) = (&self.geoms, &self.poses, &self.travels);
+        let candidates = &self.candidates;
+        fill(&mut self.jobs, (candidates.len(), Job::NONE), &|k| {
+            let (i, j) = candidates[k];
+            let (a, b) = (&geoms[i as usize], &geoms[j as usize]);
+            Job {
+                geoms: (i, j),
+                poses: (poses[i as usize], poses[j as usize]),
+                margin: near_margin(a, b) + travels[a.body] + travels[b.body],
+            }
+        });
     }
 
     /// Two geoms where their bodies are now.
@@ -365,7 +403,7 @@ impl World {
         let (work, stabilization) = (d.work, d.stabilization);
         // Kicks add to the angular velocity; from the same momentum and pose it is to be the same, also after a resume.
         if self.settings.integrator.ends_with_kick() || !self.articulation.is_empty() {
-            self.bodies.iter_mut().for_each(Body::derive);
+            each(&mut self.bodies, &Body::derive);
         }
         self.ledger.work_forces += work.forces;
         self.ledger.work_motors += work.motors;
@@ -376,9 +414,9 @@ impl World {
             self.ledger.work_motors += self.loads.work_of_paths(rows, &self.bodies);
         }
         self.joints.values(&self.bodies, &mut self.values);
-        for (body, kink) in self.bodies.iter_mut().zip(&self.impacts.kinks) {
+        each_with(&mut self.bodies, &self.impacts.kinks, &|body, kink| {
             kink.straighten(body);
-        }
+        });
         self.paths.arrive(&mut self.bodies, time + h);
     }
 
@@ -422,26 +460,27 @@ impl World {
 
     /// Has anything blown up? Does everything rest?
     fn watch(&mut self) -> Result<(), Failure> {
-        let mut resting = true;
-        for (index, body) in self
-            .bodies
-            .iter()
-            .enumerate()
-            .filter(|(_, b)| !b.is_fixed())
-        {
-            let speed = body.state.velocity.length();
-            let spin = body.angular_velocity.length();
-            if !(speed < SPEED_LIMIT && body.state.position.is_finite() && spin.is_finite()) {
-                return Err(Failure::Diverged {
-                    body: index,
-                    time: self.time(),
-                });
-            }
-            resting &= speed + spin * body.reach.max(1e-3) < REST_SPEED;
-        }
+        let time = self.time();
+        let all = (&self.bodies[..], 0..self.bodies.len());
+        let resting = gather(all, WATCHED, &|part| is_resting(part), &|a, b| Ok(a? && b?))
+            .map_err(|body| Failure::Diverged { body, time })?;
         self.resting_steps = if resting { self.resting_steps + 1 } else { 0 };
         Ok(())
     }
+}
+
+/// Do all of these bodies rest? The first that blew up, else.
+fn is_resting((bodies, indices): (&[Body], Range<usize>)) -> Result<bool, usize> {
+    let mut resting = true;
+    for (body, index) in bodies.iter().zip(indices).filter(|(b, _)| !b.is_fixed()) {
+        let speed = body.state.velocity.length();
+        let spin = body.angular_velocity.length();
+        if !(speed < SPEED_LIMIT && body.state.position.is_finite() && spin.is_finite()) {
+            return Err(index);
+        }
+        resting &= speed + spin * body.reach.max(1e-3) < REST_SPEED;
+    }
+    Ok(resting)
 }
 
 /// Bodies at their starts, and the world behind them.

@@ -17,7 +17,6 @@ from physsim.scene.checks import (
     timing,
 )
 from physsim.scene.draft import Draft
-from physsim.scene.not_yet import refusals
 
 ALL = (
     timing.check,
@@ -33,7 +32,6 @@ ALL = (
 
 
 def all_problems(draft: Draft) -> Iterator[Problem]:
-    """Everything that is wrong between the parts of the scene, and what is not supported yet."""
+    """Everything that is wrong between the parts of the scene."""
     for check in ALL:
         yield from check(draft)
-    yield from refusals(draft)
