@@ -63,6 +63,18 @@ pub struct State {
     pub angular_momentum: DVec3,
 }
 
+impl State {
+    /// This pose with the momenta of a body.
+    #[must_use]
+    pub(crate) fn with(&self, body: &Body) -> Self {
+        Self {
+            position: self.position,
+            orientation: self.orientation,
+            ..body.state
+        }
+    }
+}
+
 /// A body with everything that follows from its state and is asked for many times in a step.
 #[derive(Clone, Debug)]
 pub struct Body {
@@ -109,6 +121,13 @@ impl Body {
     pub fn refresh(&mut self) {
         self.state.orientation = self.state.orientation.normalize();
         self.derive();
+    }
+
+    /// To a pose, but leave its inertia to the next `derive`.
+    pub(crate) fn put(&mut self, position: DVec3, orientation: DQuat) {
+        self.state.position = position;
+        self.state.orientation = orientation;
+        self.rotation = DMat3::from_quat(orientation);
     }
 
     /// What follows from the state: I_world^-1 = R I_body^-1 R^T, omega = I_world^-1 L.

@@ -21,6 +21,8 @@ pub struct Loads {
     pub free: Vec<Twist>,
     /// Accelerations without contacts.
     pub accelerations: Vec<Twist>,
+    /// Forces of the bilateral rows without contacts [N or N m].
+    pub tensions: Vec<f64>,
     /// Of contacts and drives, constant over the step.
     pub held: Vec<Wrench>,
     /// Of each drive [N or N m].
@@ -71,6 +73,10 @@ impl Loads {
         });
         self.free.clone_from(&self.accelerations);
         articulation.hold(|row| -row.bias, &mut self.accelerations);
+        let bilateral = articulation.rows().len();
+        self.tensions.clear();
+        self.tensions
+            .extend_from_slice(&articulation.impulses()[..bilateral]);
     }
 
     /// Power of the forces that `evaluate` found, into bodies as they move now [W].

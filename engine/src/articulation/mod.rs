@@ -12,8 +12,11 @@
 //! method"; every sixth round only the first to change does, which cannot cycle: Murty 1974).
 
 mod assembly;
-mod ldl;
+mod ldu;
+mod levers;
+mod swing;
 
+use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
@@ -23,11 +26,6 @@ use crate::joint::{Ahead, Cause, DriveRow, Joints, Kind, Row};
 use crate::mover::{Mover, Moving, Twist, Yielding};
 use assembly::{Assembly, Member};
 
-/// Share of the diagonal that is added to it. Greater, and refinement converges slowly for heavy ends (1 : 1000 at 100
-/// links has eigenvalues of 1e-7 of the diagonal); smaller, and rounding errors grow in redundant rows.
-const EPSILON: f64 = 1e-10;
-/// Refinements at most; two are enough unless a row is redundant or an end heavy.
-const REFINEMENTS: usize = 6;
 /// Rounds of the active set at most.
 const ROUNDS: usize = 60;
 
@@ -108,8 +106,6 @@ pub struct Articulation {
     /// Bilateral rows of all joints, then those of their drives.
     rows: Vec<Row>,
     bilateral: usize,
-    /// M^-1 J^T of each row, end by end.
-    weighted: Vec<[Twist; 4]>,
     drives: Vec<DriveRow>,
     assemblies: Vec<Assembly>,
     /// The assembly of each body.
@@ -117,10 +113,12 @@ pub struct Articulation {
     aims: Vec<Aim>,
     /// Of the solve at hand, one a row.
     impulses: Vec<f64>,
+    marked: Vec<f64>,
     holds: Vec<Hold>,
     /// Of the drives in the last step: where the next search begins.
     kept: Vec<Hold>,
-    responses: Vec<Twist>,
+    /// Bilateral rows where a drift leads to.
+    ahead: Vec<Row>,
     trial: Vec<Twist>,
 }
 
@@ -139,6 +137,8 @@ impl Articulation {
                     .collect();
                 let mut touched = bodies_of(joints, j);
                 touched.retain(|&b| !bodies[b].is_fixed());
+                touched.sort_unstable();
+                touched.dedup();
                 Member {
                     rows,
                     bodies: touched,
@@ -156,7 +156,6 @@ impl Articulation {
         out.kept = vec![Hold::Lower; out.drives.len()];
         out.impulses = vec![0.0; out.rows.len()];
         out.aims = vec![Aim::IDLE; out.rows.len()];
-        out.responses = vec![Twist::default(); bodies.len()];
         out
     }
 
@@ -286,18 +285,10 @@ impl Articulation {
     }
 
     fn weigh(&mut self, bodies: &[Body]) {
-        self.weighted.clear();
-        for row in &self.rows {
-            let mut out = [Twist::default(); 4];
-            for (twist, end) in out.iter_mut().zip(row.ends()) {
-                let body = &bodies[end.body];
-                twist.velocity = end.linear * body.mass.inverse_mass;
-                twist.angular_velocity = body.inverse_inertia * end.angular;
-            }
-            self.weighted.push(out);
-        }
-        for assembly in &mut self.assemblies {
-            assembly.factored.clear();
+        for a in &mut self.assemblies {
+            let rows = a.rows.iter().map(|&row| &self.rows[row]);
+            a.levers.load(rows.zip(a.places.iter().copied()), bodies);
+            a.factored.clear();
         }
     }
 
@@ -340,54 +331,80 @@ impl Articulation {
 
     /// What is left of given motions when the free rows hold still: V - M^-1 J^T A^-1 J V.
     pub(crate) fn respond(&mut self, assembly: usize, motions: &mut [Twist]) {
-        for slot in 0..self.assemblies[assembly].rows.len() {
-            let row = self.assemblies[assembly].rows[slot];
-            let free = self.holds[row] == Hold::Free;
-            self.assemblies[assembly].solution[slot] = if free {
-                -self.rows[row].rate(motions)
-            } else {
-                0.0
-            };
-        }
+        let rows = &self.rows;
+        self.assemblies[assembly].ask(&self.holds, |row| -rows[row].rate(motions));
         self.divide(assembly);
-        for slot in 0..self.assemblies[assembly].rows.len() {
-            let (row, change) = self.solved(assembly, slot);
-            self.push(row, change, motions);
+        let a = &self.assemblies[assembly];
+        for (block, &x) in a.solution.iter().enumerate() {
+            a.levers.push(block, x, motions);
         }
     }
 
     /// Give all bodies the impulses that change the bilateral rows' rates by `missing` (one number a row).
     pub fn kick(&mut self, bodies: &mut [Body], missing: &[f64]) {
         for assembly in 0..self.assemblies.len() {
-            self.solve_for(assembly, missing);
-            for slot in 0..self.assemblies[assembly].rows.len() {
-                let (row, change) = self.solved(assembly, slot);
-                self.impulses[row] += change;
-                apply(&self.rows[row], change, bodies);
-            }
+            self.ask_bilateral(assembly, missing);
+            self.divide(assembly);
+            self.assemblies[assembly].kick(bodies, &mut self.impulses);
         }
     }
 
     /// Displacements (as twists times 1 s) that change the bilateral rows' values by `missing`.
     pub fn displacements(&mut self, missing: &[f64], shifts: &mut Vec<Twist>) {
         shifts.clear();
-        shifts.resize(self.responses.len(), Twist::default());
+        shifts.resize(self.homes.len(), Twist::default());
         for assembly in 0..self.assemblies.len() {
-            self.solve_for(assembly, missing);
-            for slot in 0..self.assemblies[assembly].rows.len() {
-                let (row, change) = self.solved(assembly, slot);
-                self.push(row, change, shifts);
+            self.ask_bilateral(assembly, missing);
+            self.divide(assembly);
+            let a = &self.assemblies[assembly];
+            for (block, &x) in a.solution.iter().enumerate() {
+                a.levers.push(block, x, shifts);
             }
         }
     }
 
-    fn solve_for(&mut self, assembly: usize, missing: &[f64]) {
-        let a = &mut self.assemblies[assembly];
-        for (x, &row) in a.solution.iter_mut().zip(&a.rows) {
-            let free = row < self.bilateral && self.holds[row] == Hold::Free;
-            *x = if free { missing[row] } else { 0.0 };
+    /// Look ahead to the end of a drift: bilateral rows where it leads to, and how bodies answer there to impulses at its
+    /// start, see [`Levers::look_ahead`]. Rows and impulses stay those of the start.
+    pub fn look_ahead(
+        &mut self,
+        joints: &Joints,
+        bodies: &[Body],
+        answer: impl Fn(usize) -> (f64, DMat3),
+    ) {
+        joints.rows(bodies, &mut self.ahead);
+        self.ahead.resize(self.rows.len(), Row::default());
+        for a in &mut self.assemblies {
+            let rows = a.rows.iter().map(|&row| &self.ahead[row]);
+            a.levers
+                .look_ahead(rows.zip(a.places.iter().copied()), &answer);
+            a.factor_ahead(&self.holds);
         }
-        self.divide(assembly);
+    }
+
+    /// Give all bodies the impulses that change the bilateral rows' values ahead by `missing`, to first order.
+    pub fn kick_ahead(&mut self, bodies: &mut [Body], missing: &[f64]) {
+        for assembly in 0..self.assemblies.len() {
+            self.ask_bilateral(assembly, missing);
+            let a = &mut self.assemblies[assembly];
+            a.ldu_ahead.solve(&mut a.solution);
+            a.kick(bodies, &mut self.impulses);
+        }
+    }
+
+    /// Where `take_back` goes back to.
+    pub fn mark_impulses(&mut self) {
+        self.marked.clone_from(&self.impulses);
+    }
+
+    /// Impulses are those of the last mark.
+    pub fn take_back(&mut self) {
+        self.impulses.clone_from(&self.marked);
+    }
+
+    fn ask_bilateral(&mut self, assembly: usize, missing: &[f64]) {
+        let bilateral = self.bilateral;
+        let of = |row: usize| if row < bilateral { missing[row] } else { 0.0 };
+        self.assemblies[assembly].ask(&self.holds, of);
     }
 
     /// Bilateral rows change given accelerations so that theirs are as `asked`; their forces stay in `impulses`.
@@ -427,21 +444,10 @@ impl Articulation {
         left
     }
 
-    fn solved(&self, assembly: usize, slot: usize) -> (usize, f64) {
-        let a = &self.assemblies[assembly];
-        (a.rows[slot], a.solution[slot])
-    }
-
-    fn push(&self, row: usize, impulse: f64, moving: &mut [impl Yielding]) {
-        for (end, weighted) in self.rows[row].ends().iter().zip(&self.weighted[row]) {
-            moving[end.body].twist_mut().add_scaled(weighted, impulse);
-        }
-    }
-
     /// Rows at a bound push just as much as it says.
     fn clamp(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
-        for slot in 0..self.assemblies[assembly].rows.len() {
-            let row = self.assemblies[assembly].rows[slot];
+        let a = &self.assemblies[assembly];
+        for (&row, &(block, place)) in a.rows.iter().zip(&a.places) {
             let bound = match self.holds[row] {
                 Hold::Free => continue,
                 Hold::Lower => self.aims[row].lower,
@@ -450,32 +456,23 @@ impl Articulation {
             let change = bound - self.impulses[row];
             if change != 0.0 {
                 self.impulses[row] = bound;
-                self.push(row, change, moving);
+                a.levers.push(block, DVec3::AXES[place] * change, moving);
             }
         }
     }
 
     fn solve_free(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
-        let mut worst = 0.0_f64;
-        for slot in 0..self.assemblies[assembly].rows.len() {
-            let row = self.assemblies[assembly].rows[slot];
-            let missing = if self.holds[row] == Hold::Free {
-                self.aims[row].target - self.rows[row].rate(moving)
-            } else {
-                0.0
-            };
-            worst = worst.max(missing.abs());
-            self.assemblies[assembly].solution[slot] = missing;
-        }
-        if worst == 0.0 {
+        let (rows, aims) = (&self.rows, &self.aims);
+        self.assemblies[assembly].ask(&self.holds, |row| aims[row].target - rows[row].rate(moving));
+        if self.assemblies[assembly].asks_nothing() {
             return;
         }
         self.divide(assembly);
-        for slot in 0..self.assemblies[assembly].rows.len() {
-            let (row, change) = self.solved(assembly, slot);
-            self.impulses[row] += change;
-            self.push(row, change, moving);
+        let a = &self.assemblies[assembly];
+        for (block, &x) in a.solution.iter().enumerate() {
+            a.levers.push(block, x, moving);
         }
+        a.add_to(&mut self.impulses);
     }
 
     /// Free rows beyond a bound are clamped, clamped rows that would rather be inside are freed.
@@ -512,74 +509,9 @@ impl Articulation {
 
     /// `solution` := A^-1 `solution` over the free rows; 0 in the others.
     fn divide(&mut self, assembly: usize) {
-        self.factor(assembly);
-        let mut a = std::mem::take(&mut self.assemblies[assembly]);
-        a.rest.copy_from_slice(&a.solution);
-        a.solution.fill(0.0);
-        let asked = greatest(&a.rest);
-        let mut size = asked;
-        for _ in 0..=REFINEMENTS {
-            a.step.copy_from_slice(&a.rest);
-            a.ldl.solve(&mut a.step);
-            for (x, step) in a.solution.iter_mut().zip(&a.step) {
-                *x += step;
-            }
-            self.subtract_product(&mut a);
-            let left = greatest(&a.rest);
-            if left <= 1e-15 * asked || left > 0.5 * size {
-                break;
-            }
-            size = left;
-        }
-        self.assemblies[assembly] = a;
-    }
-
-    /// rest -= A step, over the free rows.
-    fn subtract_product(&mut self, a: &mut Assembly) {
-        let mut responses = std::mem::take(&mut self.responses);
-        for &body in &a.bodies {
-            responses[body] = Twist::default();
-        }
-        for (&row, &x) in a.rows.iter().zip(&a.step) {
-            self.push(row, x, &mut responses);
-        }
-        for (&row, rest) in a.rows.iter().zip(&mut a.rest) {
-            if self.holds[row] == Hold::Free {
-                *rest -= self.rows[row].rate(&responses);
-            }
-        }
-        self.responses = responses;
-    }
-
-    fn factor(&mut self, assembly: usize) {
-        let mut a = std::mem::take(&mut self.assemblies[assembly]);
-        let free = |row: usize| self.holds[row] == Hold::Free;
-        let mut pairs = a.rows.iter().zip(&a.factored);
-        if a.factored.is_empty() || pairs.any(|(&row, &was)| free(row) != was) {
-            a.factored.clear();
-            a.factored.extend(a.rows.iter().map(|&row| free(row)));
-            let rows = &a.rows;
-            a.ldl
-                .factor(|i, k| match (i == k, free(rows[i]) && free(rows[k])) {
-                    (true, true) => self.entry(rows[k], rows[k]) * (1.0 + EPSILON),
-                    (false, true) => self.entry(rows[i], rows[k]),
-                    (same, false) => f64::from(u8::from(same)),
-                });
-        }
-        self.assemblies[assembly] = a;
-    }
-
-    /// A(i, k) = J_i M^-1 J_k^T
-    fn entry(&self, i: usize, k: usize) -> f64 {
-        let mut sum = 0.0;
-        for end in self.rows[i].ends() {
-            for (other, w) in self.rows[k].ends().iter().zip(&self.weighted[k]) {
-                if end.body == other.body {
-                    sum += end.linear.dot(w.velocity) + end.angular.dot(w.angular_velocity);
-                }
-            }
-        }
-        sum
+        let a = &mut self.assemblies[assembly];
+        a.factor(&self.holds);
+        a.divide();
     }
 }
 
@@ -589,18 +521,4 @@ fn bodies_of(joints: &Joints, j: usize) -> Vec<usize> {
         Kind::Gear { joints: two, .. } => two.iter().flat_map(|&k| bodies_of(joints, k)).collect(),
         _ => joints.model(j).bodies.to_vec(),
     }
-}
-
-/// Impulse J^T x of a row on its bodies.
-fn apply(row: &Row, impulse: f64, bodies: &mut [Body]) {
-    if impulse == 0.0 {
-        return;
-    }
-    for end in row.ends() {
-        bodies[end.body].apply_wrench(end.linear * impulse, end.angular * impulse);
-    }
-}
-
-fn greatest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |worst, v| worst.max(v.abs()))
 }

@@ -15,6 +15,12 @@ const HALVINGS: usize = 8;
 /// What turns by less than this in a step is not why joints cannot be closed, and halves would not help [rad].
 const SLOW: f64 = 0.05;
 
+/// A mechanism under tension swings by at most this angle in a part of a step [rad]. From 2 on all but the Runge-Kutta
+/// schemes of fourth order lose hold of it.
+const SWING: f64 = 1.4;
+/// Parts at most, before any is halved.
+const PARTS: u32 = 16;
+
 /// Where a step began, and what was booked until then.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Mark {
@@ -30,8 +36,20 @@ impl Integrator {
         if d.articulation.is_empty() {
             self.step(bodies, d);
         } else {
-            self.divide(bodies, d, HALVINGS);
+            let parts = d.parts(bodies);
+            self.in_parts(bodies, d, parts, HALVINGS);
         }
+    }
+
+    /// Equal parts of the step, each divided further where need be.
+    fn in_parts(self, bodies: &mut [Body], d: &mut Dynamics, parts: u32, halvings: usize) {
+        let (start, h) = d.span;
+        let length = h / f64::from(parts);
+        for part in 0..parts {
+            d.span = (start + f64::from(part) * length, length);
+            self.divide(bodies, d, halvings);
+        }
+        d.span = (start, h);
     }
 
     fn divide(self, bodies: &mut [Body], d: &mut Dynamics, halvings: usize) {
@@ -44,18 +62,29 @@ impl Integrator {
         self.step(bodies, d);
         if !d.closed {
             d.go_back(bodies, &mark);
-            let (start, length) = d.span;
-            for part in [0.0, 0.5] {
-                d.span = (start + part * length, 0.5 * length);
-                self.divide(bodies, d, halvings - 1);
-            }
-            d.span = (start, length);
+            self.in_parts(bodies, d, 2, halvings - 1);
         }
         d.scratch.marks.push(mark);
     }
 }
 
 impl Dynamics<'_> {
+    /// So many that no part lets a mechanism swing further than `SWING`.
+    fn parts(&mut self, bodies: &[Body]) -> u32 {
+        let mut stiffness = std::mem::take(&mut self.scratch.stiffness);
+        let rows = self.articulation.rows();
+        self.joints
+            .stiffness(rows, self.tensions, bodies, &mut stiffness);
+        let slow = SWING / self.span.1;
+        let swiftest = self
+            .articulation
+            .swiftest_swing(bodies, &stiffness, slow * slow);
+        self.scratch.stiffness = stiffness;
+        (1..PARTS)
+            .find(|&parts| swiftest.sqrt() <= slow * f64::from(parts))
+            .unwrap_or(PARTS)
+    }
+
     fn mark(&mut self, bodies: &[Body]) -> Mark {
         let mut mark = self.scratch.marks.pop().unwrap_or_default();
         mark.states.clear();

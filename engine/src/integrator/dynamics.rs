@@ -1,5 +1,7 @@
 //! What moves bodies within a step: forces, joints, and the impulses of contacts and drives as constant forces.
 
+use glam::DMat3;
+
 use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::force::{Forces, Powers, Wrench};
@@ -26,6 +28,7 @@ pub struct Scratch {
     pub(super) missing: Vec<f64>,
     pub(super) shifts: Vec<Twist>,
     pub(super) marks: Vec<Mark>,
+    pub(super) stiffness: Vec<DMat3>,
 }
 
 /// Everything that an integrator asks while it moves bodies.
@@ -52,6 +55,8 @@ pub struct Dynamics<'a> {
     pub stabilization: f64,
     /// Joints were closed at the end of every drift and projection so far.
     pub closed: bool,
+    /// Forces of the bilateral rows as the step begins [N or N m], but for those that contacts ask for.
+    pub tensions: &'a [f64],
     /// Impulses of the bilateral rows in this step [N s or N m s].
     pub reactions: &'a mut Vec<f64>,
     /// Working memory.

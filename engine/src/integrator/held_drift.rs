@@ -1,15 +1,16 @@
 //! Moving bodies so that their joints hold.
 
 use super::dynamics::{Dynamics, Scratch};
-use super::rotation::{rotate_free, Splitting};
+use super::rotation::{turn_by_momentum, turned, Splitting};
 use crate::articulation::Articulation;
-use crate::body::Body;
+use crate::body::{Body, State};
 use crate::joint::Joints;
 use crate::team::each;
 
-/// Rounds of Newton's method on the constraints at most; each gains a factor of about omega dt, and 0.3 where a chain of
-/// 100 links cracks like a whip.
+/// Rounds of Newton's method on the constraints at most.
 const ROUNDS: usize = 60;
+/// Where a round gains less, the next one takes the derivatives anew.
+const RENEWED: f64 = 1e-3;
 /// A round that gains less is the last.
 const GAIN: f64 = 0.7;
 /// Joints are held to this [m or rad]: rounding of coordinates of some metres.
@@ -21,7 +22,7 @@ impl Dynamics<'_> {
     /// x += v h and the rotation that goes with the angular momentum; the joint impulses J(x)^T y that act before it are
     /// those for which C(x') = (1 - beta) C(x).
     ///
-    /// Solved by Newton's method with the matrix J M^-1 J^T at x. What is left of an error at the start (`beta` of it goes
+    /// Solved by Newton's method with the matrix J(x') dx'/dy (`turn_by_momentum`). What is left of an error at the start (`beta` of it goes
     /// each step) is taken back by moving positions afterwards, so that it never becomes a velocity. With Baumgarte the
     /// velocity is made to obey J v = -(beta / h) C instead, which leaves an error of about v^2 h^2 / (2 beta L).
     pub(super) fn drift(&mut self, bodies: &mut [Body], splitting: Splitting) {
@@ -50,39 +51,94 @@ impl Dynamics<'_> {
     }
 
     fn held_drift(&mut self, bodies: &mut [Body], splitting: Splitting, wanted: &[f64]) {
-        let h = self.span.1;
-        let mut starts = std::mem::take(&mut self.scratch.states);
-        starts.clear();
-        starts.extend(bodies.iter().map(|b| b.state));
+        let mut starts = self.depart(bodies, splitting);
+        self.anticipate(bodies, &mut starts);
         let mut missing = std::mem::take(&mut self.scratch.missing);
         let mut error = f64::INFINITY;
         let mut left = 0.0;
         for round in 0..ROUNDS {
-            for (k, body) in bodies.iter_mut().enumerate() {
-                if round == 0 || self.articulation.home(k).is_some() {
-                    free_drift(body, h, splitting);
-                }
-            }
-            self.place_prescribed(bodies, 1.0);
+            self.arrive(bodies, &starts, splitting);
             left = self.joints.errors(bodies, wanted, &mut missing);
-            // The last round ends with a drift: bodies must not be left where they were.
-            if left <= HELD || left > GAIN * error || round + 1 == ROUNDS {
+            if left <= HELD || left > GAIN * error {
                 break;
             }
-            error = left;
-            missing.iter_mut().for_each(|m| *m /= h);
-            for (k, body) in bodies.iter_mut().enumerate() {
-                if self.articulation.home(k).is_some() {
-                    body.state.position = starts[k].position;
-                    body.state.orientation = starts[k].orientation;
-                    body.derive();
-                }
+            if round == 0 || left > RENEWED * error {
+                self.look_ahead(bodies, &starts, splitting);
             }
-            self.articulation.kick(bodies, &missing);
+            error = left;
+            self.articulation.kick_ahead(bodies, &missing);
         }
         self.closed &= left <= OPEN * size(bodies);
+        if left > OPEN * size(bodies) {
+            self.take_back(bodies, &starts);
+            self.arrive(bodies, &starts, splitting);
+        }
+        bodies.iter_mut().for_each(Body::derive);
         self.scratch.missing = missing;
         self.scratch.states = starts;
+    }
+
+    /// Bodies without joints are through; of the others the starts are kept.
+    fn depart(&mut self, bodies: &mut [Body], splitting: Splitting) -> Vec<State> {
+        let mut starts = std::mem::take(&mut self.scratch.states);
+        starts.clear();
+        starts.extend(bodies.iter().map(|b| b.state));
+        for (k, body) in bodies.iter_mut().enumerate() {
+            if self.articulation.home(k).is_none() {
+                free_drift(body, self.span.1, splitting);
+            }
+        }
+        starts
+    }
+
+    /// Bodies with joints drift from their starts with the momenta that they have now.
+    fn arrive(&self, bodies: &mut [Body], starts: &[State], splitting: Splitting) {
+        let h = self.span.1;
+        for (k, body) in bodies.iter_mut().enumerate() {
+            if self.articulation.home(k).is_some() {
+                let start = starts[k].with(body);
+                let turned = turned(&body.mass, &start, h, splitting);
+                let position = start.position + body.state.velocity * h;
+                body.put(position, turned.normalize());
+            }
+        }
+    }
+
+    /// Back to what was anticipated.
+    fn take_back(&mut self, bodies: &mut [Body], starts: &[State]) {
+        for (k, body) in bodies.iter_mut().enumerate() {
+            if self.articulation.home(k).is_some() {
+                body.state = starts[k];
+            }
+        }
+        self.articulation.take_back();
+    }
+
+    /// Newton's matrix at the end of the drift.
+    fn look_ahead(&mut self, bodies: &[Body], starts: &[State], splitting: Splitting) {
+        let h = self.span.1;
+        let answer = |k: usize| {
+            let (mass, start) = (&bodies[k].mass, starts[k].with(&bodies[k]));
+            let turn = turn_by_momentum(mass, &start, h, splitting);
+            (h * mass.inverse_mass, turn)
+        };
+        self.articulation.look_ahead(self.joints, bodies, answer);
+    }
+
+    /// Impulses that hold joints to second order: C(x') = C + h J v + h^2/2 (dJ/dt) v.
+    fn anticipate(&mut self, bodies: &mut [Body], starts: &mut [State]) {
+        let half = 0.5 * self.span.1;
+        let mut missing = std::mem::take(&mut self.scratch.missing);
+        missing.clear();
+        let rows = self.articulation.rows().iter();
+        missing.extend(rows.map(|row| -row.rate(bodies) - half * row.bias));
+        self.articulation.kick(bodies, &missing);
+        self.place_prescribed(bodies, 1.0);
+        for (start, body) in starts.iter_mut().zip(bodies) {
+            *start = start.with(body);
+        }
+        self.articulation.mark_impulses();
+        self.scratch.missing = missing;
     }
 
     /// Velocities obey the joints: J v = 0; with Baumgarte J v = -(beta / h) C.
@@ -179,6 +235,6 @@ fn free_drift(body: &mut Body, h: f64, splitting: Splitting) {
         return;
     }
     body.state.position += body.state.velocity * h;
-    rotate_free(body, h, splitting);
+    body.state.orientation = turned(&body.mass, &body.state, h, splitting);
     body.refresh();
 }

@@ -13,6 +13,7 @@ mod model;
 mod placement;
 mod pull;
 mod row;
+mod tension;
 
 pub use check::check;
 pub use drive::{Ahead, Cause, DriveRow};

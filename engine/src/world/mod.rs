@@ -396,6 +396,7 @@ impl World {
             work: Powers::default(),
             stabilization: 0.0,
             closed: true,
+            tensions: &loads.tensions,
             reactions: &mut loads.reactions,
             scratch: &mut loads.scratch,
         };

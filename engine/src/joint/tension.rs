@@ -1,0 +1,35 @@
+//! How fast a mechanism swings under the tension of its joints.
+//!
+//! A joint that pulls with the force f at the arm r of a body resists its turning: a turn phi moves the arm by phi x r, and
+//! the torque changes by (phi x r) x f = -K phi, K = (f . r) 1 - (f r^T + r f^T) / 2, f r^T being symmetric for all joints of
+//! a body in balance. The swiftest swing is the greatest eigenvalue omega^2 of K phi = omega^2 I phi among the motions that
+//! joints allow.
+
+use glam::{DMat3, DVec3};
+
+use super::joints::Joints;
+use super::row::Row;
+use crate::body::Body;
+
+impl Joints {
+    /// K of every body [N m/rad], by the forces of the bilateral rows.
+    pub fn stiffness(&self, rows: &[Row], forces: &[f64], bodies: &[Body], out: &mut Vec<DMat3>) {
+        out.clear();
+        out.resize(bodies.len(), DMat3::ZERO);
+        for (j, joint) in self.joints.iter().enumerate() {
+            for mount in &joint.mounts {
+                let mut pull = DVec3::ZERO;
+                for r in self.rows_of(j) {
+                    let ends = rows[r].ends().iter().filter(|e| e.body == mount.body);
+                    pull += ends.map(|e| e.linear).sum::<DVec3>() * forces[r];
+                }
+                out[mount.body] += turning_stiffness(pull, mount.arm(bodies));
+            }
+        }
+    }
+}
+
+fn turning_stiffness(f: DVec3, r: DVec3) -> DMat3 {
+    let dyad = DMat3::from_cols(f * r.x, f * r.y, f * r.z);
+    DMat3::from_diagonal(DVec3::splat(f.dot(r))) - 0.5 * (dyad + dyad.transpose())
+}
