@@ -6,6 +6,32 @@ use serde::{Deserialize, Serialize};
 use crate::math::symmetric_eigen;
 use crate::shape::Pose;
 
+/// Moments this near to each other, as a part of the greatest, are equal.
+const EQUAL: f64 = 1e-12;
+
+/// How the principal moments of inertia compare.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Symmetry {
+    /// All are equal.
+    Sphere,
+    /// But for that about this principal axis.
+    Axis(usize),
+    /// No two are equal.
+    None,
+}
+
+impl Symmetry {
+    fn of(moments: DVec3) -> Self {
+        let near =
+            |a: usize, b: usize| (moments[a] - moments[b]).abs() <= EQUAL * moments.max_element();
+        match (0..3).find(|&k| near((k + 1) % 3, (k + 2) % 3)) {
+            Some(k) if near(k, (k + 1) % 3) => Self::Sphere,
+            Some(k) => Self::Axis(k),
+            None => Self::None,
+        }
+    }
+}
+
 /// Mass and principal moments of inertia. Fixed bodies have inverse mass and inverse moments zero.
 #[derive(Clone, Debug)]
 pub struct MassProperties {
@@ -19,6 +45,8 @@ pub struct MassProperties {
     pub inverse_moments: DVec3,
     /// Principal frame -> body frame.
     pub axes: DQuat,
+    /// Of the moments.
+    pub symmetry: Symmetry,
 }
 
 impl MassProperties {
@@ -31,6 +59,7 @@ impl MassProperties {
             moments: DVec3::ZERO,
             inverse_moments: DVec3::ZERO,
             axes: DQuat::IDENTITY,
+            symmetry: Symmetry::Sphere,
         }
     }
 
@@ -46,6 +75,29 @@ impl MassProperties {
             moments,
             inverse_moments: DVec3::new(invert(moments.x), invert(moments.y), invert(moments.z)),
             axes: DQuat::from_mat3(&axes).normalize(),
+            symmetry: Symmetry::of(moments),
+        }
+    }
+}
+
+impl MassProperties {
+    /// Inverse inertia tensor in world axes: the sum of e e^T / I over the principal axes e. Where two moments I are
+    /// equal that is 1/I + e e^T (1/I_k - 1/I).
+    fn inverse_inertia(&self, orientation: DQuat) -> DMat3 {
+        let inverse = self.inverse_moments;
+        match self.symmetry {
+            Symmetry::Sphere => DMat3::from_diagonal(inverse),
+            Symmetry::Axis(k) => {
+                let across = inverse[(k + 1) % 3];
+                let axis = (orientation * self.axes) * DVec3::AXES[k];
+                let more = axis * (inverse[k] - across);
+                let dyad = DMat3::from_cols(more * axis.x, more * axis.y, more * axis.z);
+                DMat3::from_diagonal(DVec3::splat(across)) + dyad
+            }
+            Symmetry::None => {
+                let principal = DMat3::from_quat((orientation * self.axes).normalize());
+                principal * DMat3::from_diagonal(inverse) * principal.transpose()
+            }
         }
     }
 }
@@ -133,9 +185,12 @@ impl Body {
     /// What follows from the state: I_world^-1 = R I_body^-1 R^T, omega = I_world^-1 L.
     pub fn derive(&mut self) {
         self.rotation = DMat3::from_quat(self.state.orientation);
-        let principal = DMat3::from_quat((self.state.orientation * self.mass.axes).normalize());
-        self.inverse_inertia =
-            principal * DMat3::from_diagonal(self.mass.inverse_moments) * principal.transpose();
+        self.inverse_inertia = self.mass.inverse_inertia(self.state.orientation);
+        self.respin();
+    }
+
+    /// omega = I_world^-1 L.
+    pub fn respin(&mut self) {
         // A fixed body that follows a prescribed path is told its angular velocity.
         if !self.is_fixed() {
             self.angular_velocity = self.inverse_inertia * self.state.angular_momentum;

@@ -12,6 +12,8 @@ use crate::body::Body;
 /// Share of the diagonal that is added to it. Greater, and refinement converges slowly for heavy ends (1 : 1000 at 100
 /// links has eigenvalues of 1e-7 of the diagonal); smaller, and rounding errors grow in redundant rows.
 const EPSILON: f64 = 1e-10;
+/// What is left of what is asked need not be refined when it is this part of it.
+const REFINED: f64 = 1e-14;
 /// Refinements at most; two are enough unless a row is redundant or an end heavy.
 const REFINEMENTS: usize = 6;
 /// Rows of a block.
@@ -121,7 +123,7 @@ impl Assembly {
             }
             self.ldu.subtract_product(&self.step, &mut self.rest);
             let left = greatest(&self.rest);
-            if left <= 1e-15 * asked || left > 0.5 * size {
+            if left <= REFINED * asked || left > 0.5 * size {
                 break;
             }
             size = left;

@@ -39,6 +39,7 @@ pub(crate) struct Ldu {
     diagonal: Vec<DMat3>,
     lower: Vec<DMat3>,
     upper: Vec<DMat3>,
+    pivots: Vec<Pivot>,
     /// D^-1
     inverses: Vec<DMat3>,
     above: Vec<DMat3>,
@@ -72,6 +73,7 @@ impl Ldu {
             pattern: columns.concat(),
             lower: vec![DMat3::ZERO; starts[n]],
             upper: vec![DMat3::ZERO; starts[n]],
+            pivots: vec![Pivot::default(); n],
             inverses: vec![DMat3::ZERO; n],
             above: vec![DMat3::ZERO; n],
             left: vec![DMat3::ZERO; n],
@@ -101,7 +103,8 @@ impl Ldu {
             for link in self.reaches[k]..self.reaches[k + 1] {
                 pivot -= self.eliminate(self.links[link]);
             }
-            self.inverses[k] = inverse(&pivot);
+            self.pivots[k] = Pivot::new(&pivot);
+            self.inverses[k] = self.pivots[k].inverse();
         }
     }
 
@@ -143,7 +146,7 @@ impl Ldu {
             }
         }
         for k in (0..x.len()).rev() {
-            let mut y = self.inverses[k] * x[k];
+            let mut y = self.pivots[k].solve(x[k]);
             for p in self.starts[k]..self.starts[k + 1] {
                 y -= self.upper[p] * x[self.rows[p]];
             }
@@ -188,25 +191,45 @@ fn reaches(columns: &[Vec<usize>]) -> Vec<Vec<usize>> {
     out
 }
 
-/// Inverse of a block by elimination in the order of its rows. Cofactors would lose a pivot that is 1e-10 of the others.
-fn inverse(m: &DMat3) -> DMat3 {
-    let (a, b, c) = (m.x_axis, m.y_axis, m.z_axis);
-    let first = 1.0 / a.x;
-    let (l1, l2) = (a.y * first, a.z * first);
-    let (u1, u2) = (b.x * first, c.x * first);
-    let second = 1.0 / (b.y - l1 * b.x);
-    let below = b.z - l2 * b.x;
-    let l3 = below * second;
-    let u3 = (c.y - l1 * c.x) * second;
-    let third = 1.0 / (c.z - l2 * c.x - l3 * (c.y - l1 * c.x));
-    // U^-1 D^-1 L^-1 with unit triangles, column by column.
-    let column = |x: DVec3| {
-        let y = x.y - l1 * x.x;
-        let z = (x.z - l2 * x.x - l3 * y) * third;
-        let y = y * second - u3 * z;
-        DVec3::new(x.x * first - u1 * y - u2 * z, y, z)
-    };
-    DMat3::from_cols(column(DVec3::X), column(DVec3::Y), column(DVec3::Z))
+/// A block on the diagonal, factored in the order of its rows. Cofactors would lose a pivot that is 1e-10 of the others.
+#[derive(Clone, Copy, Debug, Default)]
+struct Pivot {
+    /// Below the diagonal: (1, 0), (2, 0), (2, 1).
+    lower: DVec3,
+    diagonal: DVec3,
+    /// Above it, divided by the diagonal: (0, 1), (0, 2), (1, 2).
+    upper: DVec3,
+}
+
+impl Pivot {
+    fn new(m: &DMat3) -> Self {
+        let (a, b, c) = (m.x_axis, m.y_axis, m.z_axis);
+        let (l1, l2) = (a.y / a.x, a.z / a.x);
+        let (second, beside) = (b.y - l1 * b.x, c.y - l1 * c.x);
+        let l3 = (b.z - l2 * b.x) / second;
+        let third = c.z - l2 * c.x - l3 * beside;
+        Self {
+            lower: DVec3::new(l1, l2, l3),
+            diagonal: DVec3::new(a.x, second, third),
+            upper: DVec3::new(b.x / a.x, c.x / a.x, beside / second),
+        }
+    }
+
+    fn solve(&self, x: DVec3) -> DVec3 {
+        let (l, u) = (self.lower, self.upper);
+        let y = x.y - l.x * x.x;
+        let down = DVec3::new(x.x, y, x.z - l.y * x.x - l.z * y) / self.diagonal;
+        let y = down.y - u.z * down.z;
+        DVec3::new(down.x - u.x * y - u.y * down.z, y, down.z)
+    }
+
+    fn inverse(&self) -> DMat3 {
+        DMat3::from_cols(
+            self.solve(DVec3::X),
+            self.solve(DVec3::Y),
+            self.solve(DVec3::Z),
+        )
+    }
 }
 
 #[cfg(test)]
@@ -256,7 +279,7 @@ mod tests {
         let tiny = 1e-10;
         let m =
             DMat3::from_cols_array(&[1.0, 1.0, 1.0, 1.0, 1.0 + tiny, 1.0, 1.0, 1.0, 1.0 + tiny]);
-        let one = m * inverse(&m);
+        let one = m * Pivot::new(&m).inverse();
         assert!(
             (one - DMat3::IDENTITY).abs_diff_eq(DMat3::ZERO, 1e-5),
             "{one}"

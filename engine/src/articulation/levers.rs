@@ -105,11 +105,15 @@ impl Levers {
     }
 
     fn product(&self, a: &[Lever], b: &[Lever], (i, k): (usize, usize)) -> DMat3 {
+        let (i, k) = (
+            self.starts[i]..self.starts[i + 1],
+            self.starts[k]..self.starts[k + 1],
+        );
         let mut sum = DMat3::ZERO;
-        for p in self.starts[i]..self.starts[i + 1] {
-            for q in self.starts[k]..self.starts[k + 1] {
-                if self.bodies[p] == self.bodies[q] {
-                    sum += a[p].times(&b[q]);
+        for (one, body) in a[i.clone()].iter().zip(&self.bodies[i]) {
+            for (other, touched) in b[k.clone()].iter().zip(&self.bodies[k.clone()]) {
+                if body == touched {
+                    sum += one.times(other);
                 }
             }
         }

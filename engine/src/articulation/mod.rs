@@ -16,7 +16,7 @@ mod ldu;
 mod levers;
 mod swing;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
@@ -108,6 +108,9 @@ pub struct Articulation {
     bilateral: usize,
     drives: Vec<DriveRow>,
     assemblies: Vec<Assembly>,
+    /// Bodies with joints, and where they were when the rows were loaded.
+    touched: Vec<usize>,
+    poses: Vec<Pose>,
     /// The assembly of each body.
     homes: Vec<Option<usize>>,
     aims: Vec<Aim>,
@@ -145,6 +148,12 @@ impl Articulation {
                 }
             })
             .collect();
+        out.touched = (0..joints.len())
+            .flat_map(|j| bodies_of(joints, j))
+            .collect();
+        out.touched.sort_unstable();
+        out.touched.dedup();
+        out.poses.clear();
         out.assemblies = assembly::divide(&members);
         out.homes = vec![None; bodies.len()];
         for (index, assembly) in out.assemblies.iter().enumerate() {
@@ -276,6 +285,13 @@ impl Articulation {
         self.weigh(bodies);
     }
 
+    /// As `load_bilateral`, but the bias of the rows may be that of velocities that bodies had at these poses before.
+    pub fn load_places(&mut self, joints: &Joints, bodies: &[Body]) {
+        if !self.is_loaded_at(bodies) {
+            self.load_bilateral(joints, bodies);
+        }
+    }
+
     /// Bilateral rows at the present poses and velocities; drives take no part until the next `load`.
     pub fn load_bilateral(&mut self, joints: &Joints, bodies: &[Body]) {
         let drives = self.drives.len();
@@ -284,7 +300,21 @@ impl Articulation {
         self.weigh(bodies);
     }
 
+    /// Bodies have the poses of the last load, and rows are nothing but those of joints.
+    fn is_loaded_at(&self, bodies: &[Body]) -> bool {
+        let same = |(&k, pose): (&usize, &Pose)| *pose == pose_of(&bodies[k]);
+        self.drives.is_empty()
+            && self.poses.len() == self.touched.len()
+            && self.touched.iter().zip(&self.poses).all(same)
+    }
+
     fn weigh(&mut self, bodies: &[Body]) {
+        if self.is_loaded_at(bodies) {
+            return;
+        }
+        self.poses.clear();
+        self.poses
+            .extend(self.touched.iter().map(|&k| pose_of(&bodies[k])));
         for a in &mut self.assemblies {
             let rows = a.rows.iter().map(|&row| &self.rows[row]);
             a.levers.load(rows.zip(a.places.iter().copied()), bodies);
@@ -513,6 +543,13 @@ impl Articulation {
         a.factor(&self.holds);
         a.divide();
     }
+}
+
+/// Position and orientation.
+type Pose = (DVec3, DQuat);
+
+fn pose_of(body: &Body) -> Pose {
+    (body.state.position, body.state.orientation)
 }
 
 /// Bodies that a joint touches; of a gear those of its joints.

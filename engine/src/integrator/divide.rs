@@ -4,6 +4,9 @@
 //! as they stand at the start of the step close them at its end (the equation of SHAKE has no solution near by), or they
 //! close them somewhere else. Such a step is taken back and made in two halves, and these again if need be. Steps
 //! that can be made whole are not touched.
+//!
+//! A rope under great tension swings faster than a step can follow, and gains energy, long before its joints cannot be
+//! closed. Its step is made in equal parts in which it swings by little (`articulation/swing.rs`).
 
 use super::dynamics::Dynamics;
 use super::Integrator;

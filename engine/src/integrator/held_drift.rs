@@ -15,6 +15,8 @@ const RENEWED: f64 = 1e-3;
 const GAIN: f64 = 0.7;
 /// Joints are held to this [m or rad]: rounding of coordinates of some metres.
 const HELD: f64 = 1e-14;
+/// Positions this near to where joints hold need not be restored [m or rad].
+const RESTORED: f64 = 10.0 * HELD;
 /// What is left of an error is too much when it is more than this part of the largest coordinate, or of a metre.
 const OPEN: f64 = 1e-11;
 
@@ -22,8 +24,9 @@ impl Dynamics<'_> {
     /// x += v h and the rotation that goes with the angular momentum; the joint impulses J(x)^T y that act before it are
     /// those for which C(x') = (1 - beta) C(x).
     ///
-    /// Solved by Newton's method with the matrix J(x') dx'/dy (`turn_by_momentum`). What is left of an error at the start (`beta` of it goes
-    /// each step) is taken back by moving positions afterwards, so that it never becomes a velocity. With Baumgarte the
+    /// Solved by Newton's method with the matrix J(x') dx'/dy (`turn_by_momentum`), from the y that holds joints to
+    /// second order. What is left of an error at the start (`beta` of it goes each step) is taken back by moving positions
+    /// afterwards, so that it never becomes a velocity; so is all of it where Newton's method fails. With Baumgarte the
     /// velocity is made to obey J v = -(beta / h) C instead, which leaves an error of about v^2 h^2 / (2 beta L).
     pub(super) fn drift(&mut self, bodies: &mut [Body], splitting: Splitting) {
         let h = self.span.1;
@@ -31,7 +34,7 @@ impl Dynamics<'_> {
             each(bodies, &|b| free_drift(b, h, splitting));
             return;
         }
-        self.articulation.load_bilateral(self.joints, bodies);
+        self.articulation.load_places(self.joints, bodies);
         self.articulation.clear_impulses();
         let mut wanted = std::mem::take(&mut self.scratch.values);
         wanted.clear();
@@ -73,7 +76,11 @@ impl Dynamics<'_> {
             self.take_back(bodies, &starts);
             self.arrive(bodies, &starts, splitting);
         }
-        bodies.iter_mut().for_each(Body::derive);
+        for (k, body) in bodies.iter_mut().enumerate() {
+            if self.articulation.home(k).is_some() {
+                body.derive();
+            }
+        }
         self.scratch.missing = missing;
         self.scratch.states = starts;
     }
@@ -146,7 +153,7 @@ impl Dynamics<'_> {
         if self.articulation.is_empty() {
             return;
         }
-        self.articulation.load_bilateral(self.joints, bodies);
+        self.articulation.load_places(self.joints, bodies);
         self.articulation.clear_impulses();
         self.project_loaded_velocities(bodies);
     }
@@ -171,6 +178,12 @@ impl Dynamics<'_> {
 
     /// Bodies back to where their rows have the values `wanted`.
     pub(super) fn restore_positions(&mut self, bodies: &mut [Body], wanted: &[f64]) {
+        let off = self
+            .joints
+            .errors(bodies, wanted, &mut self.scratch.missing);
+        if off <= RESTORED {
+            return;
+        }
         let before = self.forces.potential(bodies).total() + self.joints.spring_energy(bodies);
         let restored = self
             .articulation
@@ -197,7 +210,7 @@ impl Articulation {
         let mut restored = Restored::default();
         for _ in 0..ROUNDS {
             restored.left = joints.errors(bodies, wanted, &mut scratch.missing);
-            if restored.left <= 10.0 * HELD || restored.left > 0.5 * error {
+            if restored.left <= RESTORED || restored.left > 0.5 * error {
                 break;
             }
             error = restored.left;

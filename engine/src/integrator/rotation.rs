@@ -12,7 +12,7 @@
 
 use glam::{DMat3, DQuat, DVec3};
 
-use crate::body::{MassProperties, State};
+use crate::body::{MassProperties, State, Symmetry};
 use crate::math::rotation_from_vector;
 
 /// Axes and shares of the time, in order.
@@ -23,34 +23,10 @@ pub const LIE_TROTTER: Splitting = &[(0, 1.0), (1, 1.0), (2, 1.0)];
 /// Second order, the same backwards in time.
 pub const NO_SQUISH: Splitting = &[(0, 0.5), (1, 0.5), (2, 1.0), (1, 0.5), (0, 0.5)];
 
-/// Moments this near to each other, as a part of the greatest, are equal.
-const EQUAL: f64 = 1e-12;
-
-/// How the moments of inertia compare.
-enum Symmetry {
-    /// All are equal.
-    Sphere,
-    /// But for that about this principal axis.
-    Axis(usize),
-    None,
-}
-
-impl Symmetry {
-    fn of(moments: DVec3) -> Self {
-        let near =
-            |a: usize, b: usize| (moments[a] - moments[b]).abs() <= EQUAL * moments.max_element();
-        match (0..3).find(|&k| near((k + 1) % 3, (k + 2) % 3)) {
-            Some(k) if near(k, (k + 1) % 3) => Self::Sphere,
-            Some(k) => Self::Axis(k),
-            None => Self::None,
-        }
-    }
-}
-
 /// The orientation after the time `t` [s], without torque.
 #[must_use]
 pub fn turned(mass: &MassProperties, state: &State, t: f64, splitting: Splitting) -> DQuat {
-    match Symmetry::of(mass.moments) {
+    match mass.symmetry {
         Symmetry::Sphere => {
             let omega = state.angular_momentum * mass.inverse_moments.x;
             rotation_from_vector(omega * t) * state.orientation
@@ -99,7 +75,7 @@ pub fn turn_by_momentum(
 ) -> DMat3 {
     let inverse = mass.inverse_moments;
     let momentum = state.angular_momentum;
-    match Symmetry::of(mass.moments) {
+    match mass.symmetry {
         Symmetry::Sphere => whole_turn(momentum, inverse.x * t),
         Symmetry::Axis(k) => {
             let across = inverse[(k + 1) % 3];

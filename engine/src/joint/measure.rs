@@ -5,7 +5,7 @@
 //! arms, omega the angular velocities. The bias is d2C/dt2 with all accelerations zero; the time derivative of a vector u
 //! fixed to A is then u' = omega_A x u and u'' = omega_A x (omega_A x u).
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::placement::{Motion, Placement};
 use super::row::Row;
@@ -66,11 +66,20 @@ impl Measure {
 
     /// Its value; angles within half a turn of zero.
     pub(super) fn value(self, at: &Placement) -> f64 {
-        let (a, b) = (&at.axes.0, &at.axes.1);
         match self {
-            Self::Gap(k) => a.col(k).dot(at.gap),
+            Self::Gap(k) => at.axes.col(k).dot(at.gap),
             Self::Length => at.gap.length(),
-            Self::Turn(k) => 2.0 * sign(at.turn.w) * at.turn.xyz()[k],
+            Self::Turn(k) => {
+                let turn = at.turn();
+                2.0 * sign(turn.w) * turn.xyz()[k]
+            }
+            _ => self.value_of_axes(&at.axes, &at.axes_of_b()),
+        }
+    }
+
+    fn value_of_axes(self, a: &DMat3, b: &DMat3) -> f64 {
+        match self {
+            Self::Gap(_) | Self::Length | Self::Turn(_) => unreachable!("not of the axes alone"),
             Self::Lean(k) => lean(a.col(k).dot(b.z_axis), a.z_axis.dot(b.z_axis)),
             Self::Square => a.z_axis.dot(b.x_axis),
             Self::Twist => libm::atan2(a.y_axis.dot(b.x_axis), a.x_axis.dot(b.x_axis)),
@@ -81,19 +90,28 @@ impl Measure {
 
     /// Its row, with `value` as the value.
     pub(super) fn row(self, at: &Placement, motion: &Motion) -> Row {
-        let (a, b) = (&at.axes.0, &at.axes.1);
+        match self {
+            Self::Gap(k) => gap(at.axes.col(k), at, motion),
+            Self::Length => length(at, motion),
+            _ => {
+                let slope = self.slope(at, motion);
+                at.turning(slope.angular, self.value(at), slope.bias)
+            }
+        }
+    }
+
+    fn slope(self, at: &Placement, motion: &Motion) -> Slope {
+        let (a, b) = (&at.axes, &at.axes_of_b());
         let dot = |u, w| alignment(motion, u, w);
-        let slope = match self {
-            Self::Gap(k) => return gap(a.col(k), at, motion),
-            Self::Length => return length(at, motion),
+        match self {
+            Self::Gap(_) | Self::Length => unreachable!("not a function of the rotation"),
             Self::Turn(k) => turn(k, at, motion),
             Self::Lean(k) => lean_slope(&dot(a.col(k), b.z_axis), &dot(a.z_axis, b.z_axis)),
             Self::Square => dot(a.z_axis, b.x_axis),
             Self::Twist => angle(&dot(a.y_axis, b.x_axis), &dot(a.x_axis, b.x_axis)),
             Self::Bend => angle(&dot(a.z_axis, b.y_axis), &dot(a.z_axis, b.z_axis)),
             Self::Tilt => tilt(at, motion),
-        };
-        at.turning(slope.angular, self.value(at), slope.bias)
+        }
     }
 }
 
@@ -123,7 +141,7 @@ fn length(at: &Placement, motion: &Motion) -> Row {
         let across = motion.gap_rate - n * n.dot(motion.gap_rate);
         (n, across.length_squared() / distance)
     } else {
-        (at.axes.0.z_axis, 0.0)
+        (at.axes.z_axis, 0.0)
     };
     at.pulling(n, at.arms.0, distance, n.dot(motion.gap_bias) + curvature)
 }
@@ -211,12 +229,13 @@ fn lean_slope(s: &Slope, c: &Slope) -> Slope {
 /// Dot products of axes (Shabana's and Chrono's usual choice) would be zero after 180 degrees too; this is zero only where
 /// the frames agree, and flips at 180 degrees, where both ways back are equally long.
 fn turn(k: usize, at: &Placement, motion: &Motion) -> Slope {
-    let axes = &at.axes.0;
+    let axes = &at.axes;
     let to_a = axes.transpose();
     let spin_a = to_a * motion.spins.0;
     let spin = to_a * (motion.spins.1 - motion.spins.0);
-    let side = sign(at.turn.w);
-    let (w, v) = (side * at.turn.w, side * at.turn.xyz());
+    let turn = at.turn();
+    let side = sign(turn.w);
+    let (w, v) = (side * turn.w, side * turn.xyz());
     let e = DVec3::AXES[k];
     let slope = w * e + v.cross(e);
     Slope {
@@ -233,14 +252,14 @@ fn turn(k: usize, at: &Placement, motion: &Motion) -> Slope {
 ///
 /// Where the axes agree n is the x axis of A and the bias, which has no limit there, is left out.
 fn tilt(at: &Placement, motion: &Motion) -> Slope {
-    let (a, b) = (at.axes.0.z_axis, at.axes.1.z_axis);
+    let (a, b) = (at.axes.z_axis, at.axes_of_b().z_axis);
     let cross = a.cross(b);
     let sine = cross.length();
     let cosine = alignment(motion, a, b);
     let n = if sine > NO_DIRECTION {
         cross / sine
     } else {
-        at.axes.0.x_axis
+        at.axes.x_axis
     };
     let rate = n.dot(motion.spins.1 - motion.spins.0);
     let bias = if sine > NO_DIRECTION {

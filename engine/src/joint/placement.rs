@@ -35,32 +35,43 @@ impl Mount {
 
 /// Both ends in the world. Pairs are (A, B).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Placement {
+pub(super) struct Placement<'a> {
     pub(super) bodies: (usize, usize),
     /// Centre of mass -> anchor [m].
     pub(super) arms: (DVec3, DVec3),
-    /// Columns x, y, z of the joint frames.
-    pub(super) axes: (DMat3, DMat3),
+    /// Columns x, y, z of the joint frame on A.
+    pub(super) axes: DMat3,
     /// d: anchor of A -> anchor of B [m].
     pub(super) gap: DVec3,
-    /// Frame of B -> frame of A.
-    pub(super) turn: DQuat,
+    mounts: &'a [Mount; 2],
+    placed: (&'a Body, &'a Body),
 }
 
-impl Placement {
-    pub(super) fn new(mounts: &[Mount; 2], bodies: &[Body]) -> Self {
+impl<'a> Placement<'a> {
+    pub(super) fn new(mounts: &'a [Mount; 2], bodies: &'a [Body]) -> Self {
         let [a, b] = mounts;
         let (body_a, body_b) = (&bodies[a.body], &bodies[b.body]);
         let arms = (body_a.rotation * a.anchor, body_b.rotation * b.anchor);
-        let frame_a = body_a.state.orientation * a.frame;
-        let frame_b = body_b.state.orientation * b.frame;
         Self {
             bodies: (a.body, b.body),
             arms,
-            axes: (body_a.rotation * a.axes, body_b.rotation * b.axes),
+            axes: body_a.rotation * a.axes,
             gap: (body_b.state.position - body_a.state.position) + (arms.1 - arms.0),
-            turn: frame_a.conjugate() * frame_b,
+            mounts,
+            placed: (body_a, body_b),
         }
+    }
+
+    /// Columns x, y, z of the joint frame on B.
+    pub(super) fn axes_of_b(&self) -> DMat3 {
+        self.placed.1.rotation * self.mounts[1].axes
+    }
+
+    /// Frame of B -> frame of A.
+    pub(super) fn turn(&self) -> DQuat {
+        let frame_a = self.placed.0.state.orientation * self.mounts[0].frame;
+        let frame_b = self.placed.1.state.orientation * self.mounts[1].frame;
+        frame_a.conjugate() * frame_b
     }
 
     /// A row that turns the bodies against each other: `angular` is its Jacobian of B, that of A the opposite.

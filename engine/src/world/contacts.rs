@@ -9,7 +9,7 @@ use crate::loads::work_of_fixed;
 use crate::math::length;
 use crate::model::Stabilization;
 use crate::position::SLOP;
-use crate::solver::Limits;
+use crate::solver::{Limits, Report};
 
 use super::World;
 
@@ -20,6 +20,23 @@ impl World {
     /// without them. They act on the motion as constant forces.
     pub(super) fn solve_contacts(&mut self, h: f64) {
         self.aim_contacts(h);
+        if self.contacts.is_empty() && self.articulation.drives().is_empty() {
+            self.report = Report::default();
+            self.noise.fill(0.0);
+        } else {
+            self.solve_bounded(h);
+        }
+        let system = (&self.joints, &self.articulation);
+        self.loads.hold(&self.contacts, system, h);
+        self.memory.store(&self.contacts, &self.bodies, h);
+        self.note_contacts(h);
+        self.note_drives(h);
+        self.arrest(true, h);
+        self.arrest(false, h);
+    }
+
+    /// Contacts, drives, and the joints that hold meanwhile.
+    fn solve_bounded(&mut self, h: f64) {
         let pull = if self.settings.stabilization == Stabilization::Baumgarte {
             self.settings.baumgarte / h
         } else {
@@ -57,13 +74,6 @@ impl World {
         }
         self.articulation.keep_holds();
         self.lock_joints();
-        let system = (&self.joints, &self.articulation);
-        self.loads.hold(&self.contacts, system, h);
-        self.memory.store(&self.contacts, &self.bodies, h);
-        self.note_contacts(h);
-        self.note_drives(h);
-        self.arrest(true, h);
-        self.arrest(false, h);
     }
 
     /// Coordinates that a limit or friction brings to rest, or keeps there, are rows of the joints for this step.
@@ -82,10 +92,10 @@ impl World {
         }
         self.articulation.load_bilateral(&self.joints, &self.bodies);
         self.articulation.clear_impulses();
+        let before = self.kinetic_energy(h);
         let rows = self.articulation.rows();
         self.joints
             .arrest(rows, &self.bodies, by_limit, &mut self.values);
-        let before = self.kinetic_energy(h);
         self.articulation.kick(&mut self.bodies, &self.values);
         let lost = before - self.kinetic_energy(h);
         if by_limit {

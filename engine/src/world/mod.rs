@@ -404,7 +404,7 @@ impl World {
         let (work, stabilization) = (d.work, d.stabilization);
         // Kicks add to the angular velocity; from the same momentum and pose it is to be the same, also after a resume.
         if self.settings.integrator.ends_with_kick() || !self.articulation.is_empty() {
-            each(&mut self.bodies, &Body::derive);
+            each(&mut self.bodies, &Body::respin);
         }
         self.ledger.work_forces += work.forces;
         self.ledger.work_motors += work.motors;
