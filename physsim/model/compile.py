@@ -23,11 +23,13 @@ from physsim.model.model import GeomTable, Model
 from physsim.model.no_contact import Pairs, joined, no_contact_pairs
 from physsim.model.pair_table import Complaints, PairTable, can_touch, pair_table
 from physsim.model.placement import Placement, Stand
+from physsim.uncollected import uncollected
 
 if TYPE_CHECKING:
     from physsim.scene import Scene
 
 
+@uncollected()
 def compile_scene(scene: Scene, memory: MeshMemory | None = None) -> Model:
     """The model of a scene.
 

@@ -45,11 +45,10 @@ def fill_new_file(
     file = h5py.File(disk, "w", libver=LIBVER, fs_strategy="none")
     _set_attributes(file, attributes)
     sizes = _sizes(columns, values)
+    made = {column.path: _create_dataset(file, column, sizes, values) for column in columns}
+    made |= _create_bare_axes(file, columns, sizes)
     for column in columns:
-        _create_dataset(file, column, sizes, values)
-    _create_bare_axes(file, columns, sizes)
-    for column in columns:
-        _attach_axes(file, column)
+        _attach_axes(made, column)
     return file
 
 
@@ -65,10 +64,10 @@ def chunk_rows(bodies: int) -> int:
     return min(max(1 << (ROWS_PER_BODY * bodies).bit_length(), CHUNK_ROWS[0]), CHUNK_ROWS[1])
 
 
-def axis_dataset(file: h5py.File, group: str, dim: str) -> h5py.Dataset:
-    """The dimension scale of an axis: in the group itself, or else in the root."""
+def axis_dataset(datasets: Mapping[str, h5py.Dataset], group: str, dim: str) -> h5py.Dataset:
+    """The dimension scale of an axis: in the group itself, or else in the root. datasets: by path."""
     own = f"{group}/{dim}" if group else dim
-    return file[own] if own in file else file[dim]
+    return datasets[own] if own in datasets else datasets[dim]
 
 
 def _set_attributes(file: h5py.File, attributes: Mapping[str, Any]) -> None:
@@ -90,7 +89,7 @@ def _sizes(columns: tuple[Column, ...], values: Mapping[str, Any]) -> dict[str, 
 
 def _create_dataset(
     file: h5py.File, column: Column, sizes: Mapping[str, int], values: Mapping[str, Any]
-) -> None:
+) -> h5py.Dataset:
     shape = tuple(sizes.get(dim, 0) for dim in column.dims)
     dataset = file.create_dataset(
         column.path,
@@ -105,6 +104,7 @@ def _create_dataset(
         dataset[:] = list(FIXED_AXES[column.name])
     elif column.path in values and np.size(values[column.path]):
         dataset[...] = values[column.path]
+    return dataset
 
 
 def _storage(column: Column, shape: tuple[int, ...], sizes: Mapping[str, int]) -> dict[str, Any]:
@@ -136,19 +136,23 @@ def _chunks(column: Column, shape: tuple[int, ...], sizes: Mapping[str, int]) ->
     return (frames, max(min(shape[1], CHUNK_ITEMS), 1), *shape[2:])
 
 
-def _create_bare_axes(file: h5py.File, columns: tuple[Column, ...], sizes: Mapping[str, int]) -> None:
+def _create_bare_axes(
+    file: h5py.File, columns: tuple[Column, ...], sizes: Mapping[str, int]
+) -> dict[str, h5py.Dataset]:
+    made = {}
     for group, dim in layout.bare_axes(columns):
-        axis = file.create_dataset(
-            f"{group}/{dim}", shape=(sizes.get(dim, 0),), maxshape=(None,), chunks=(1 << 16,), dtype=np.int8
-        )
+        path, shape = f"{group}/{dim}", (sizes.get(dim, 0),)
+        axis = file.create_dataset(path, shape=shape, maxshape=(None,), chunks=(1 << 16,), dtype=np.int8)
         axis.attrs["units"] = "1"
         axis.make_scale(_BARE_AXIS)
+        made[path] = axis
+    return made
 
 
-def _attach_axes(file: h5py.File, column: Column) -> None:
-    dataset = file[column.path]
+def _attach_axes(made: Mapping[str, h5py.Dataset], column: Column) -> None:
+    dataset = made[column.path]
     if column.is_scale:
         dataset.make_scale(column.name)
         return
     for index, dim in enumerate(column.dims):
-        dataset.dims[index].attach_scale(axis_dataset(file, column.group, dim))
+        dataset.dims[index].attach_scale(axis_dataset(made, column.group, dim))

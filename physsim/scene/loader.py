@@ -27,6 +27,7 @@ from physsim.scene.spec.scene import SceneSpec
 from physsim.scene.spec.simulation import SimulationSpec
 from physsim.scene.translate import Translator
 from physsim.scene.yaml_reader import read_yaml
+from physsim.uncollected import uncollected
 
 Warn = Callable[[Problem], None]
 
@@ -92,6 +93,7 @@ class Original:
         return copy if isinstance(copy, nodes.Mapping) else None
 
 
+@uncollected()
 def _load(source: Original, overrides: Overrides | None, warn: Warn | None) -> Scene:
     overrides = overrides if overrides is None or isinstance(overrides, dict | str) else list(overrides)
     root, problems = source.root(), list(source.parsed[1])

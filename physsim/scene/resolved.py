@@ -8,6 +8,7 @@ import yaml
 
 from physsim.scene.scalars import meaning
 from physsim.scene.spec.scene import SceneSpec
+from physsim.uncollected import uncollected
 
 _BASE = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 
@@ -44,6 +45,7 @@ def _type_first(part: Any) -> Any:
     return {key: _type_first(part[key]) for key in keys}
 
 
+@uncollected()
 def resolved_yaml(spec: SceneSpec) -> str:
     """The spec as YAML; what is not given and has no default is left out."""
     data = spec.model_dump(mode="json", by_alias=True, exclude_none=True)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import signal
+import subprocess
+import sys
 import threading
 from collections.abc import Callable
 from itertools import pairwise
@@ -62,6 +64,19 @@ def test_schedule(steps_per_frame: int, steps: int, frames: list[int]) -> None:
         assert schedule.has_frame(step)
         found.append(step)
     assert found == frames
+
+
+def test_a_small_run_imports_nothing_heavy(scene: Scene, tmp_path: Path) -> None:
+    """So that it steps at once."""
+    script = (
+        "import sys, physsim\n"
+        "physsim.run(sys.argv[1], output=sys.argv[2]).close()\n"
+        "heavy = {'trimesh', 'fcl', 'scipy', 'rich', 'jsonschema', 'pandas', 'xarray'}\n"
+        "print(*sorted(heavy & set(sys.modules)))"
+    )
+    command = [sys.executable, "-c", script, str(scene()), str(tmp_path / "run.h5")]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    assert done.stdout.strip() == ""
 
 
 def test_frames_leave_the_engine_in_blocks(

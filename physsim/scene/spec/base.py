@@ -11,9 +11,12 @@ from physsim.scene.spec.slip import slip
 
 
 class Spec(BaseModel):
-    """Frozen, no unknown keys, every number finite and in SI."""
+    """Frozen, no unknown keys, every number finite and in SI.
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    Validators are built when they are needed: for a scene those of the whole, not those of each part besides.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
 
     @model_validator(mode="before")
     @classmethod

@@ -1,0 +1,23 @@
+"""Work that makes many objects, all of which stay."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+
+@contextmanager
+def uncollected() -> Iterator[None]:
+    """No search for cyclic garbage meanwhile.
+
+    The collector looks through all objects again whenever their number has grown by some part. While a scene
+    of 10 000 bodies is read it finds nothing, and takes half of the time.
+    """
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()
