@@ -14,6 +14,7 @@ use crate::model::{Geom, PairTable, Settings};
 use crate::mover::Twist;
 use crate::narrowphase::ContactPoint;
 use crate::shape::Pose;
+use crate::team::both;
 
 /// Contacts appear before the surfaces touch, at this part of the smaller geom's bounding radius.
 const NEAR: f64 = 0.01;
@@ -21,6 +22,8 @@ const NEAR: f64 = 0.01;
 const TOUCHING: f64 = 1e-6;
 /// Looks at most on the way to touching.
 const ROUNDS: usize = 12;
+/// Points that are worth handing to another thread.
+const STRETCH: usize = 200;
 
 /// The world as it stands when a step begins.
 pub struct StepStart<'a> {
@@ -70,6 +73,8 @@ enum Chase {
 pub struct Approach {
     pursuits: Vec<Pursuit>,
     first: Vec<Found>,
+    /// At the first point of a job, the instant at which one of its points is hit.
+    touches: Vec<f64>,
     jobs: Vec<Job>,
 }
 
@@ -86,16 +91,19 @@ impl Approach {
         oracle: &mut dyn Oracle,
         out: &mut Vec<Contact>,
     ) -> Result<(), String> {
-        out.clear();
-        self.pursuits.clear();
         std::mem::swap(&mut self.first, &mut detector.found);
-        for points in self.first.chunk_by(|a, b| a.job == b.job) {
-            let job = &jobs[points[0].job as usize];
-            let earliest = start.survey(job, points, 0.0, out);
-            if earliest > 0.0 && earliest.is_finite() {
+        let found = &self.first;
+        // Contacts of the step before are written over.
+        out.resize_with(count_near(found), Contact::default);
+        self.touches.clear();
+        self.touches.resize(found.len(), f64::INFINITY);
+        start.survey_all(jobs, found, &mut self.touches, out);
+        self.pursuits.clear();
+        for (found, &instant) in found.iter().zip(&self.touches) {
+            if instant > 0.0 && instant.is_finite() {
                 self.pursuits.push(Pursuit {
-                    job: points[0].job,
-                    instant: earliest,
+                    job: found.job,
+                    instant,
                     state: Chase::Open,
                 });
             }
@@ -130,7 +138,7 @@ impl Approach {
                 let pursuit = &mut self.pursuits[points[0].job as usize];
                 let job = &jobs[pursuit.job as usize];
                 let before = out.len();
-                let next = start.survey(job, points, pursuit.instant, out);
+                let next = start.survey(job, points, pursuit.instant, &mut |c| out.push(c));
                 start.advance(pursuit, job, points, next);
                 open |= pursuit.state == Chase::Open;
                 if pursuit.state == Chase::Missed {
@@ -164,6 +172,18 @@ impl Approach {
         });
         out.sort_by_key(|c| c.geoms);
     }
+}
+
+/// Points that nearly touch.
+fn count_near(found: &[Found]) -> usize {
+    found.iter().filter(|f| f.near).count()
+}
+
+/// The first border between two jobs in the second half, or the end.
+fn middle_between_jobs(found: &[Found]) -> usize {
+    let half = found.len() / 2;
+    let job = found[half - 1].job;
+    half + found[half..].partition_point(|f| f.job == job)
 }
 
 impl StepStart<'_> {
@@ -210,19 +230,48 @@ impl StepStart<'_> {
 
     /// Contacts at those of the points, found with both bodies where they are at the instant `t`, that nearly touch.
     /// Returns the first instant at which one of the points is hit, infinite when none is.
-    fn survey(&self, job: &Job, points: &[Found], t: f64, out: &mut Vec<Contact>) -> f64 {
-        let near = self.near(job);
+    fn survey(&self, job: &Job, points: &[Found], t: f64, out: &mut impl FnMut(Contact)) -> f64 {
         let meeting = self.meeting(job, t);
         let mut earliest = f64::INFINITY;
         for found in points {
             let c = self.contact(&meeting, &found.point, t);
             let touch = touching_instant(&c, self.bodies, self.accelerations, &self.rules);
             earliest = earliest.min(touch);
-            if found.point.depth > -near {
-                out.push(c);
+            if found.near {
+                out(c);
             }
         }
         earliest
+    }
+
+    /// The same for all points found at the start of the step, some jobs at once: contacts to `out`, and each job's
+    /// first instant to the place of its first point.
+    fn survey_all(&self, jobs: &[Job], found: &[Found], touches: &mut [f64], out: &mut [Contact]) {
+        let middle = if found.len() > STRETCH {
+            middle_between_jobs(found)
+        } else {
+            found.len()
+        };
+        if middle < found.len() {
+            let (a, b) = found.split_at(middle);
+            let (touches_a, touches_b) = touches.split_at_mut(middle);
+            let (out_a, out_b) = out.split_at_mut(count_near(a));
+            both(
+                || self.survey_all(jobs, a, touches_a, out_a),
+                || self.survey_all(jobs, b, touches_b, out_b),
+            );
+            return;
+        }
+        let (mut places, mut first) = (out.iter_mut(), 0);
+        for points in found.chunk_by(|a, b| a.job == b.job) {
+            let job = &jobs[points[0].job as usize];
+            touches[first] = self.survey(job, points, 0.0, &mut |c| {
+                if let Some(place) = places.next() {
+                    *place = c;
+                }
+            });
+            first += points.len();
+        }
     }
 
     fn meeting(&self, job: &Job, t: f64) -> Meeting<'_> {

@@ -1,8 +1,13 @@
 //! The narrow phase over many pairs: own kernels where they exist, an oracle (FCL) elsewhere.
 
+use std::ops::Range;
+
+use crate::approach::near_margin;
+use crate::islands::index;
 use crate::model::Geom;
 use crate::narrowphase::{self, ContactPoint, Scratch, Verdict};
 use crate::shape::{Pose, Shape};
+use crate::team::divide;
 use glam::DVec3;
 
 /// A question to the oracle: how do these two geoms lie to each other?
@@ -72,13 +77,20 @@ impl Job {
 pub struct Found {
     /// Index of the job.
     pub job: u32,
+    /// The point nearly touches.
+    pub near: bool,
     /// The point.
     pub point: ContactPoint,
 }
 
+/// Jobs that are done at a stretch.
+const STRETCH: usize = 64;
+
 /// Runs jobs; keeps its working memory.
 #[derive(Default)]
 pub struct Detector {
+    /// One for each stretch of jobs.
+    probes: Vec<Probe>,
     scratch: Scratch,
     points: Vec<ContactPoint>,
     triangles: Vec<u32>,
@@ -87,6 +99,66 @@ pub struct Detector {
     answers: Vec<Option<Answer>>,
     /// Points of the last run, ordered by job.
     pub found: Vec<Found>,
+}
+
+/// Does a stretch of jobs.
+#[derive(Default)]
+struct Probe {
+    scratch: Scratch,
+    points: Vec<ContactPoint>,
+    found: Vec<Found>,
+    /// Jobs that are left to FCL.
+    unanswered: Vec<u32>,
+}
+
+impl Probe {
+    /// Do the jobs of these indices.
+    fn run(&mut self, geoms: &[Geom], jobs: &[Job], range: Range<usize>, fcl_only: bool) {
+        self.found.clear();
+        self.unanswered.clear();
+        for (index, job) in (index(range.start)..).zip(&jobs[range]) {
+            self.points.clear();
+            let verdict = if fcl_only {
+                Verdict::AskFcl
+            } else {
+                let (a, b) = shapes(geoms, job);
+                let ((pose_a, pose_b), margin) = (&job.poses, job.margin);
+                let (scratch, points) = (&mut self.scratch, &mut self.points);
+                narrowphase::collide(a, pose_a, b, pose_b, margin, scratch, points)
+            };
+            match verdict {
+                Verdict::Answered => {
+                    let (near, points) = (near_depth(geoms, job), self.points.iter());
+                    self.found
+                        .extend(points.map(|&point| Found::new(index, near, point)));
+                }
+                Verdict::AskFcl => self.unanswered.push(index),
+            }
+        }
+    }
+}
+
+impl Found {
+    /// Nearly touching from the depth `near` on.
+    fn new(job: u32, near: f64, point: ContactPoint) -> Self {
+        Self {
+            job,
+            near: point.depth > near,
+            point,
+        }
+    }
+}
+
+fn near_depth(geoms: &[Geom], job: &Job) -> f64 {
+    let (a, b) = job.geoms;
+    -near_margin(&geoms[a as usize], &geoms[b as usize])
+}
+
+fn shapes<'a>(geoms: &'a [Geom], job: &Job) -> (&'a Shape, &'a Shape) {
+    (
+        &geoms[job.geoms.0 as usize].shape,
+        &geoms[job.geoms.1 as usize].shape,
+    )
 }
 
 impl Detector {
@@ -104,32 +176,26 @@ impl Detector {
         self.found.clear();
         self.queries.clear();
         self.asked_for.clear();
-        for (index, job) in (0u32..).zip(jobs) {
-            let shapes = (
-                &geoms[job.geoms.0 as usize].shape,
-                &geoms[job.geoms.1 as usize].shape,
-            );
-            self.points.clear();
-            let verdict = if fcl_only {
-                Verdict::AskFcl
-            } else {
-                let (a, b) = (&job.poses.0, &job.poses.1);
-                narrowphase::collide(
-                    shapes.0,
-                    a,
-                    shapes.1,
-                    b,
-                    job.margin,
-                    &mut self.scratch,
-                    &mut self.points,
-                )
-            };
-            match verdict {
-                Verdict::Answered => {
-                    self.found
-                        .extend(self.points.iter().map(|&point| Found { job: index, point }));
-                }
-                Verdict::AskFcl => self.enqueue(index, job, shapes),
+        let stretches = jobs.len().div_ceil(STRETCH);
+        if self.probes.len() < stretches {
+            self.probes.resize_with(stretches, Probe::default);
+        }
+        let probes = &mut self.probes[..stretches];
+        divide((probes, 0..stretches), 1, &|(probes, range): (
+            &mut [Probe],
+            Range<usize>,
+        )| {
+            for (probe, k) in probes.iter_mut().zip(range) {
+                let end = jobs.len().min((k + 1) * STRETCH);
+                probe.run(geoms, jobs, k * STRETCH..end, fcl_only);
+            }
+        });
+        for k in 0..stretches {
+            self.found.extend_from_slice(&self.probes[k].found);
+            for n in 0..self.probes[k].unanswered.len() {
+                let index = self.probes[k].unanswered[n];
+                let job = &jobs[index as usize];
+                self.enqueue(index, job, shapes(geoms, job));
             }
         }
         if self.queries.is_empty() {
@@ -198,8 +264,12 @@ impl Detector {
                 &mut self.scratch,
                 &mut self.points,
             );
-            self.found
-                .extend(self.points.iter().map(|&point| Found { job, point }));
+            let near = -near_margin(&geoms[a as usize], &geoms[b as usize]);
+            self.found.extend(
+                self.points
+                    .iter()
+                    .map(|&point| Found::new(job, near, point)),
+            );
         }
         Ok(())
     }

@@ -9,18 +9,20 @@ use crate::model::{Coefficients, Geom};
 use crate::mover::Moving;
 use crate::narrowphase::ContactPoint;
 use crate::roll::Roll;
+use crate::team::{both, fill, HANDFUL};
 
 /// Friction of a contact in the solve at hand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Friction {
     /// Holds up to mu_s times the normal impulse.
+    #[default]
     Static,
     /// At most (while it still slides: exactly) mu_k times the normal impulse.
     Kinetic,
 }
 
 /// A contact point between bodies A and B; all vectors in world axes, the normal from B to A.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Contact {
     /// Geoms in contact.
     pub geoms: (u32, u32),
@@ -349,7 +351,7 @@ pub(crate) fn principal_tangents(
 }
 
 /// What a contact leaves to the next step: where it was on body A, and its force and torque.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Remembered {
     geoms: (u32, u32),
     place: DVec3,
@@ -366,47 +368,77 @@ pub struct Memory {
 impl Memory {
     /// Keep the impulses of these contacts, as forces over the step of `h` [s].
     pub fn store(&mut self, contacts: &[Contact], bodies: &[Body], h: f64) {
-        self.points.clear();
-        self.points.extend(contacts.iter().map(|c| Remembered {
-            geoms: c.geoms,
-            place: bodies[c.bodies.0].rotation.transpose() * c.arms.0,
-            force: c.to_world(c.impulse) / h,
-            torque: c.roll.as_ref().map(|_| c.turn() / h),
-        }));
+        fill(
+            &mut self.points,
+            (contacts.len(), Remembered::default()),
+            &|k| {
+                let c = &contacts[k];
+                Remembered {
+                    geoms: c.geoms,
+                    place: bodies[c.bodies.0].rotation.transpose() * c.arms.0,
+                    force: c.to_world(c.impulse) / h,
+                    torque: c.roll.as_ref().map(|_| c.turn() / h),
+                }
+            },
+        );
     }
 
     /// Start every contact from the force of the nearest point of the same geoms in the step before, each point
     /// used once. Points farther apart than `radius` of a geom pair are strangers.
     pub fn recall(&mut self, contacts: &mut [Contact], bodies: &[Body], radius: &[f64], h: f64) {
-        let mut from = 0;
-        for contact in contacts.iter_mut() {
-            while self
-                .points
-                .get(from)
-                .is_some_and(|p| p.geoms < contact.geoms)
-            {
-                from += 1;
+        recall(&mut self.points, contacts, (bodies, radius, h));
+    }
+}
+
+/// From these points to these contacts; halves between two pairs of geoms at once.
+fn recall(
+    points: &mut [Remembered],
+    contacts: &mut [Contact],
+    (bodies, radius, h): (&[Body], &[f64], f64),
+) {
+    let half = contacts.len() / 2;
+    if contacts.len() > HANDFUL && contacts[0].geoms < contacts[half].geoms {
+        let pair = contacts[half].geoms;
+        let (a, b) = contacts.split_at_mut(contacts.partition_point(|c| c.geoms < pair));
+        let (of_a, of_b) = points.split_at_mut(points.partition_point(|p| p.geoms < pair));
+        both(
+            || recall(of_a, a, (bodies, radius, h)),
+            || recall(of_b, b, (bodies, radius, h)),
+        );
+    } else {
+        recall_in_turn(points, contacts, (bodies, radius, h));
+    }
+}
+
+fn recall_in_turn(
+    points: &mut [Remembered],
+    contacts: &mut [Contact],
+    (bodies, radius, h): (&[Body], &[f64], f64),
+) {
+    let mut from = 0;
+    for contact in contacts.iter_mut() {
+        while points.get(from).is_some_and(|p| p.geoms < contact.geoms) {
+            from += 1;
+        }
+        let place = bodies[contact.bodies.0].rotation.transpose() * contact.arms.0;
+        let limit = radius[contact.geoms.0 as usize].min(radius[contact.geoms.1 as usize]);
+        let mut best = (limit * limit, usize::MAX);
+        for (k, point) in points[from..].iter().enumerate() {
+            if point.geoms != contact.geoms {
+                break;
             }
-            let place = bodies[contact.bodies.0].rotation.transpose() * contact.arms.0;
-            let limit = radius[contact.geoms.0 as usize].min(radius[contact.geoms.1 as usize]);
-            let mut best = (limit * limit, usize::MAX);
-            for (k, point) in self.points[from..].iter().enumerate() {
-                if point.geoms != contact.geoms {
-                    break;
-                }
-                let distance = (point.place - place).length_squared();
-                if distance < best.0 {
-                    best = (distance, from + k);
-                }
+            let distance = (point.place - place).length_squared();
+            if distance < best.0 {
+                best = (distance, from + k);
             }
-            if let Some(point) = self.points.get_mut(best.1) {
-                contact.impulse = contact.to_local(point.force * h);
-                contact.impulse.x = contact.impulse.x.max(0.0);
-                if let (Some(roll), Some(torque)) = (&mut contact.roll, point.torque) {
-                    roll.impulse = roll.to_local(torque * h);
-                }
-                point.place = DVec3::INFINITY;
+        }
+        if let Some(point) = points.get_mut(best.1) {
+            contact.impulse = contact.to_local(point.force * h);
+            contact.impulse.x = contact.impulse.x.max(0.0);
+            if let (Some(roll), Some(torque)) = (&mut contact.roll, point.torque) {
+                roll.impulse = roll.to_local(torque * h);
             }
+            point.place = DVec3::INFINITY;
         }
     }
 }

@@ -25,6 +25,7 @@ use crate::body::Body;
 use crate::contact::Contact;
 use crate::mover::Twist;
 use crate::solver::{Limits, Report, Solver};
+use crate::team::fill;
 
 /// Generations in one step at most. What approaches after that is stopped by the contact solve, without restitution;
 /// so is everything that is driven into an approach from which it would not rebound: plastic impacts pass through a
@@ -236,14 +237,15 @@ impl Impacts {
     fn find_hit(&mut self, scene: &Scene, rules: &Rules) {
         let (bodies, contacts) = (&*scene.bodies, &*scene.contacts);
         self.hit.clear();
-        self.instants.clear();
-        let kinks = &self.kinks;
-        let at = |c: &Contact| Kinks(kinks[c.bodies.0], kinks[c.bodies.1]);
-        self.instants.extend(
-            contacts
-                .iter()
-                .map(|c| at(c).hit_at(c, bodies, scene.accelerations, rules)),
-        );
+        let (kinks, accelerations) = (&self.kinks, scene.accelerations);
+        fill(&mut self.instants, (contacts.len(), 0.0), &|k| {
+            let c = &contacts[k];
+            let kinks = Kinks(kinks[c.bodies.0], kinks[c.bodies.1]);
+            kinks.hit_at(c, bodies, accelerations, rules)
+        });
+        if self.instants.iter().all(|instant| instant.is_infinite()) {
+            return;
+        }
         self.earliest.clear();
         self.earliest.resize(bodies.len(), f64::INFINITY);
         let leader = |k: usize| scene.articulation.leader(k);

@@ -34,6 +34,19 @@ impl Ledger {
         self.lost_impact -= normal_work;
         self.lost_friction -= tangential_work;
     }
+
+    /// Both books together.
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self {
+            work_forces: self.work_forces + other.work_forces,
+            work_motors: self.work_motors + other.work_motors,
+            lost_damping: self.lost_damping + other.lost_damping,
+            lost_friction: self.lost_friction + other.lost_friction,
+            lost_impact: self.lost_impact + other.lost_impact,
+            stabilization: self.stabilization + other.stabilization,
+            initial: self.initial + other.initial,
+        }
+    }
 }
 
 /// Energies at one instant and the books up to it [J].

@@ -79,7 +79,7 @@ impl Geom {
 }
 
 /// The coefficients of one pair of materials.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Coefficients {
     /// Newton's coefficient of restitution, 0 ..= 1.
     pub restitution: f64,

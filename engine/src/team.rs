@@ -84,7 +84,7 @@ pub(crate) fn gather<P: Parts, R: Send>(
 }
 
 /// Elements that are worth handing to another thread.
-const HANDFUL: usize = 256;
+pub(crate) const HANDFUL: usize = 256;
 
 /// `work` on every element.
 pub(crate) fn each<T: Send>(list: &mut [T], work: &(impl Fn(&mut T) + Sync)) {

@@ -1,15 +1,20 @@
 //! The solve of contacts and drives within a step, and its books.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::body::Body;
-use crate::impact::gap_change;
+use crate::contact::Contact;
+use crate::impact::{gap_change, Kink};
 use crate::joint::{Cause, Row};
+use crate::ledger::Ledger;
 use crate::loads::work_of_fixed;
 use crate::math::length;
-use crate::model::Stabilization;
+use crate::model::{Geom, Settings, Stabilization};
 use crate::position::SLOP;
-use crate::solver::{Limits, Report};
+use crate::solver::{Limits, Report, Solver};
+use crate::team::{divide, gather, HANDFUL};
 
 use super::World;
 
@@ -114,72 +119,58 @@ impl World {
 
     /// Where every contact's normal velocity is to go, its friction, and the impulse to begin with.
     fn aim_contacts(&mut self, h: f64) {
-        let baumgarte = self.settings.stabilization == Stabilization::Baumgarte;
-        let lead = self.settings.integrator.lead();
-        // Semi-implicit Euler moves bodies with the end velocity over the whole step: half a step ahead is its mean.
-        let ahead = if lead == 1.0 { 0.5 * h } else { h };
-        self.gaps.clear();
-        self.starts.clear();
-        for c in &mut self.contacts {
-            let u = c.velocity(&self.bodies);
-            c.choose_friction(u, self.settings.slip_speed);
-            let gap = c.gap + gap_change(&self.impacts.kinks, c);
-            c.target = if gap > SLOP {
-                closing_speed(gap, u.x, h, lead)
-            } else if baumgarte && gap < 0.0 {
-                -self.settings.baumgarte * gap / h
-            } else {
-                0.0
-            };
-            let centre = |k: u32| {
-                let geom = &self.geoms[k as usize];
-                let arm = self.bodies[geom.body].rotation * geom.position;
-                geom.shape.is_round().then_some(arm)
-            };
-            let centres = [centre(c.geoms.0), centre(c.geoms.1)];
-            c.ahead = c.turning_ahead(&self.bodies, centres, ahead);
-            c.clear_impulse();
-            self.starts.push(u);
-            self.gaps.push(gap);
-        }
+        let count = self.contacts.len();
+        self.gaps.resize(count, 0.0);
+        self.starts.resize(count, DVec3::ZERO);
+        let aims = Aims {
+            bodies: &self.bodies,
+            geoms: &self.geoms,
+            kinks: &self.impacts.kinks,
+            settings: &self.settings,
+            h,
+        };
+        let found = (&mut self.starts[..], &mut self.gaps[..]);
+        let work = |(contacts, (starts, gaps)): (&mut [Contact], (&mut [DVec3], &mut [f64]))| {
+            for ((c, start), gap) in contacts.iter_mut().zip(starts).zip(gaps) {
+                (*start, *gap) = aims.aim(c);
+            }
+        };
+        divide((&mut self.contacts[..], found), HANDFUL, &work);
         self.memory
             .recall(&mut self.contacts, &self.bodies, &self.match_radius, h);
     }
 
     /// Velocities after the solve, their work, and the gaps that they lead to.
     fn note_contacts(&mut self, h: f64) {
-        let tolerance = 10.0 * self.settings.tolerance;
-        let lead = self.settings.integrator.lead();
-        for ((c, start), gap) in self
-            .contacts
-            .iter_mut()
-            .zip(&self.starts)
-            .zip(&mut self.gaps)
-        {
-            let u = self.solver.velocity(c);
-            c.velocity_after = c.to_world(u);
-            // Impulses act with the arms of now, so their work is that of the velocities with these arms.
-            let mean = 0.5 * (*start + u - c.ahead);
-            self.ledger
-                .book(0.0, c.impulse.y * mean.y + c.impulse.z * mean.z);
-            // A contact that aims at parting is Baumgarte's: its work takes back an overlap.
-            if c.target > 0.0 {
-                self.ledger.stabilization += c.impulse.x * mean.x;
+        let notes = Notes {
+            bodies: &self.bodies,
+            solver: &self.solver,
+            slow: 10.0 * self.settings.tolerance,
+            lead: self.settings.integrator.lead(),
+            h,
+        };
+        let before = self.ledger;
+        let found = (
+            (&self.starts[..], &mut self.gaps[..]),
+            0..self.contacts.len(),
+        );
+        let work = |(contacts, ((starts, gaps), range)): NotedPart| {
+            let mut ledger = if range.start == 0 {
+                before
             } else {
-                self.ledger.book(c.impulse.x * mean.x, 0.0);
+                Ledger::default()
+            };
+            for ((c, start), gap) in contacts.iter_mut().zip(starts).zip(gaps) {
+                notes.note(c, *start, gap, &mut ledger);
             }
-            self.ledger.work_motors -= c.to_world(c.impulse).dot(c.driven(&self.bodies));
-            if let Some(roll) = &c.roll {
-                let turned = roll.to_world(roll.impulse);
-                let mean = 0.5 * (c.turning(&self.bodies) + self.solver.turning(c));
-                self.ledger.book(0.0, turned.dot(mean));
-                let driven = c.driven_turning(&self.bodies);
-                self.ledger.work_motors -= turned.dot(driven);
-            }
-            *gap += ((1.0 - lead) * start.x + lead * u.x) * h;
-            let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
-            c.sliding = loaded && length(u.y, u.z) > tolerance;
-        }
+            ledger
+        };
+        self.ledger = gather(
+            (&mut self.contacts[..], found),
+            HANDFUL,
+            &work,
+            &|a: Ledger, b| a.plus(&b),
+        );
     }
 
     /// Work of motors, and what limits and dry friction take.
@@ -202,6 +193,88 @@ impl World {
                 }
             }
         }
+    }
+}
+
+type NotedPart<'a> = (
+    &'a mut [Contact],
+    ((&'a [DVec3], &'a mut [f64]), Range<usize>),
+);
+
+/// What contacts are aimed by.
+struct Aims<'a> {
+    bodies: &'a [Body],
+    geoms: &'a [Geom],
+    kinks: &'a [Kink],
+    settings: &'a Settings,
+    h: f64,
+}
+
+impl Aims<'_> {
+    /// Aim a contact. Returns its velocity [m/s], along normal and tangents, and its gap [m].
+    fn aim(&self, c: &mut Contact) -> (DVec3, f64) {
+        let (settings, h) = (self.settings, self.h);
+        let lead = settings.integrator.lead();
+        // Semi-implicit Euler moves bodies with the end velocity over the whole step: half a step ahead is its mean.
+        let ahead = if lead == 1.0 { 0.5 * h } else { h };
+        let u = c.velocity(self.bodies);
+        c.choose_friction(u, settings.slip_speed);
+        let gap = c.gap + gap_change(self.kinks, c);
+        c.target = if gap > SLOP {
+            closing_speed(gap, u.x, h, lead)
+        } else if settings.stabilization == Stabilization::Baumgarte && gap < 0.0 {
+            -settings.baumgarte * gap / h
+        } else {
+            0.0
+        };
+        let centres = [self.centre(c.geoms.0), self.centre(c.geoms.1)];
+        c.ahead = c.turning_ahead(self.bodies, centres, ahead);
+        c.clear_impulse();
+        (u, gap)
+    }
+
+    /// Of a round geom, from its body's centre of mass [m].
+    fn centre(&self, k: u32) -> Option<DVec3> {
+        let geom = &self.geoms[k as usize];
+        let arm = self.bodies[geom.body].rotation * geom.position;
+        geom.shape.is_round().then_some(arm)
+    }
+}
+
+/// What a solve came to.
+struct Notes<'a> {
+    bodies: &'a [Body],
+    solver: &'a Solver,
+    /// Slower than this is no sliding [m/s].
+    slow: f64,
+    lead: f64,
+    h: f64,
+}
+
+impl Notes<'_> {
+    /// The velocity of a contact that began with `start`, its work, and the gap that it leads to.
+    fn note(&self, c: &mut Contact, start: DVec3, gap: &mut f64, ledger: &mut Ledger) {
+        let u = self.solver.velocity(c);
+        c.velocity_after = c.to_world(u);
+        // Impulses act with the arms of now, so their work is that of the velocities with these arms.
+        let mean = 0.5 * (start + u - c.ahead);
+        ledger.book(0.0, c.impulse.y * mean.y + c.impulse.z * mean.z);
+        // A contact that aims at parting is Baumgarte's: its work takes back an overlap.
+        if c.target > 0.0 {
+            ledger.stabilization += c.impulse.x * mean.x;
+        } else {
+            ledger.book(c.impulse.x * mean.x, 0.0);
+        }
+        ledger.work_motors -= c.to_world(c.impulse).dot(c.driven(self.bodies));
+        if let Some(roll) = &c.roll {
+            let turned = roll.to_world(roll.impulse);
+            let mean = 0.5 * (c.turning(self.bodies) + self.solver.turning(c));
+            ledger.book(0.0, turned.dot(mean));
+            ledger.work_motors -= turned.dot(c.driven_turning(self.bodies));
+        }
+        *gap += ((1.0 - self.lead) * start.x + self.lead * u.x) * self.h;
+        let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
+        c.sliding = loaded && length(u.y, u.z) > self.slow;
     }
 }
 

@@ -267,6 +267,9 @@ impl World {
     /// A contact within one mechanism whose joints leave its gap no freedom (links folded back onto a line) could only
     /// strain against them, with a force beyond measure. It gives way a little instead.
     fn soften_rigid_contacts(&mut self) {
+        if self.articulation.is_empty() {
+            return;
+        }
         for c in &mut self.contacts {
             let home = self.articulation.home(c.bodies.0);
             let within = home.filter(|_| home == self.articulation.home(c.bodies.1));
