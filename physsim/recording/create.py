@@ -15,11 +15,13 @@ from physsim.recording.disk import Disk
 
 # HDF5 1.8 and later read this; "latest" would be read by HDF5 2.0 only.
 LIBVER = ("earliest", "v110")
-# One chunk of a per-body (joint, spring) dataset: at most this many of them, and as many frames as fit.
-CHUNK_ITEMS = 64
+# One chunk of a per-body (joint, spring) dataset: in a scene of up to so many bodies at most so many of them,
+# and as many frames as fit. Frames of a chunk are in memory together, so a large scene has fewer.
+CHUNK_ITEMS = ((2048, 64), (8192, 128))
+MOST_CHUNK_ITEMS = 256
 ITEM_AXES = ("body", "joint", "spring")
 CHUNK_BYTES = 192 * 1024
-CHUNK_FRAMES = (64, 1024)
+CHUNK_FRAMES = (16, 1024)
 # Rows of /contacts and /events: about those of some frames, within bounds.
 CHUNK_ROWS = (1024, 8192)
 ROWS_PER_BODY = 8
@@ -54,9 +56,14 @@ def fill_new_file(
 
 def block_frames(bodies: int) -> int:
     """Frames per chunk, and per block between two flushes: a power of two."""
-    row_bytes = 4 * 8 * min(max(bodies, 1), CHUNK_ITEMS)
+    row_bytes = 4 * 8 * min(max(bodies, 1), chunk_items(bodies))
     fitting = 1 << ((CHUNK_BYTES // row_bytes).bit_length() - 1)
     return min(max(fitting, CHUNK_FRAMES[0]), CHUNK_FRAMES[1])
+
+
+def chunk_items(bodies: int) -> int:
+    """Bodies, joints or springs per chunk."""
+    return next((items for most, items in CHUNK_ITEMS if bodies <= most), MOST_CHUNK_ITEMS)
 
 
 def chunk_rows(bodies: int) -> int:
@@ -133,7 +140,7 @@ def _chunks(column: Column, shape: tuple[int, ...], sizes: Mapping[str, int]) ->
     frames = block_frames(sizes["body"])
     if len(shape) < 2 or column.dims[1] not in ITEM_AXES:
         return (max(frames, SMALL_CHUNK_FRAMES), *shape[1:])
-    return (frames, max(min(shape[1], CHUNK_ITEMS), 1), *shape[2:])
+    return (frames, max(min(shape[1], chunk_items(sizes["body"])), 1), *shape[2:])
 
 
 def _create_bare_axes(

@@ -12,7 +12,7 @@ import pytest
 
 from physsim.errors import FileTrouble
 from physsim.recording import NotInFile, Trajectory, open_trajectory, series
-from physsim.recording.create import block_frames
+from physsim.recording.create import block_frames, chunk_items
 
 FRAMES, BODIES = 40, 3
 
@@ -194,10 +194,12 @@ def test_reading_while_it_is_written(tmp_path: Path) -> None:
         assert not trajectory.being_written
 
 
-@pytest.mark.parametrize(("bodies", "frames"), [(1, 1024), (10, 512), (64, 64), (1000, 64)])
+@pytest.mark.parametrize(
+    ("bodies", "frames"), [(1, 1024), (10, 512), (64, 64), (1000, 64), (5000, 32), (30_000, 16)]
+)
 def test_chunks_hold_some_hundred_kilobytes(bodies: int, frames: int) -> None:
     """Measured for files of 1000 and of 10 bodies: fewer frames make one body slow, more make one frame
     slow.
     """
     assert block_frames(bodies) == frames
-    assert frames * min(bodies, 64) * 4 * 8 <= 192 * 1024
+    assert frames * min(bodies, chunk_items(bodies)) * 4 * 8 <= 192 * 1024
