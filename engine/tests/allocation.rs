@@ -8,14 +8,13 @@ mod common;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use _engine::body::{MassProperties, State};
+use _engine::body::MassProperties;
 use _engine::collide::NoOracle;
 use _engine::integrator::Integrator;
-use _engine::model::{Geom, Model};
 use _engine::shape::Shape;
 use _engine::world::World;
-use common::empty_model;
-use glam::{DMat3, DQuat, DVec3};
+use common::{add, empty_model};
+use glam::{DMat3, DVec3};
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
@@ -42,23 +41,6 @@ unsafe impl GlobalAlloc for Counting {
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
-
-fn add(model: &mut Model, shape: Shape, position: DVec3, mass: MassProperties) {
-    let state = State {
-        position,
-        orientation: DQuat::IDENTITY,
-        velocity: DVec3::ZERO,
-        angular_momentum: DVec3::ZERO,
-    };
-    model.geoms.push(Geom {
-        body: model.bodies.len(),
-        shape,
-        position: DVec3::ZERO,
-        rotation: DMat3::IDENTITY,
-        material: 0,
-    });
-    model.bodies.push((mass, state, DVec3::ZERO));
-}
 
 /// Cubes in pairs, one on the other, with a ball beside each, on a floor.
 fn pairs(integrator: Integrator) -> World {

@@ -2,34 +2,22 @@
 
 mod common;
 
-use _engine::body::{MassProperties, State};
+use _engine::body::MassProperties;
 use _engine::collide::NoOracle;
 use _engine::integrator::Integrator;
 use _engine::joint::{JointModel, Kind};
-use _engine::model::{Coefficients, Geom, Model, PairTable};
+use _engine::model::{Coefficients, Model, PairTable};
 use _engine::shape::Shape;
 use _engine::world::World;
 use common::empty_model;
 use glam::{DMat3, DQuat, DVec3};
 
+/// A body turned a little, each in its own way, so that nothing falls symmetrically.
 fn add(model: &mut Model, shape: Shape, position: DVec3, mass: MassProperties) -> usize {
-    let body = model.bodies.len();
-    // Turned a little, each in its own way, so that nothing falls symmetrically.
+    let body = common::add(model, shape, position, mass);
     let angle = 0.1 * (body as f64 * 0.7).sin();
-    let state = State {
-        position,
-        orientation: DQuat::from_rotation_x(angle) * DQuat::from_rotation_y(0.3 * angle),
-        velocity: DVec3::ZERO,
-        angular_momentum: DVec3::ZERO,
-    };
-    model.geoms.push(Geom {
-        body,
-        shape,
-        position: DVec3::ZERO,
-        rotation: DMat3::IDENTITY,
-        material: 0,
-    });
-    model.bodies.push((mass, state, DVec3::ZERO));
+    model.bodies[body].1.orientation =
+        DQuat::from_rotation_x(angle) * DQuat::from_rotation_y(0.3 * angle);
     body
 }
 

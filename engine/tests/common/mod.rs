@@ -1,9 +1,11 @@
 //! An empty scene under gravity, for the tests to fill.
 
+use _engine::body::{MassProperties, State};
 use _engine::force::ForceModel;
 use _engine::integrator::Integrator;
-use _engine::model::{Coefficients, Model, PairTable, Settings, Stabilization};
-use glam::DVec3;
+use _engine::model::{Coefficients, Geom, Model, PairTable, Settings, Stabilization};
+use _engine::shape::Shape;
+use glam::{DMat3, DQuat, DVec3};
 
 /// [m/s^2]
 pub const G: f64 = 9.81;
@@ -43,4 +45,25 @@ pub fn empty_model(timestep: f64, restitution: f64, friction: f64) -> Model {
         motions: Vec::new(),
         surface_velocities: Vec::new(),
     }
+}
+
+/// A body of one shape at rest; returns its index.
+#[allow(dead_code)] // not every test adds bodies this way
+pub fn add(model: &mut Model, shape: Shape, position: DVec3, mass: MassProperties) -> usize {
+    let state = State {
+        position,
+        orientation: DQuat::IDENTITY,
+        velocity: DVec3::ZERO,
+        angular_momentum: DVec3::ZERO,
+    };
+    let body = model.bodies.len();
+    model.geoms.push(Geom {
+        body,
+        shape,
+        position: DVec3::ZERO,
+        rotation: DMat3::IDENTITY,
+        material: 0,
+    });
+    model.bodies.push((mass, state, DVec3::ZERO));
+    body
 }
