@@ -124,21 +124,67 @@ pub(crate) fn approach(
     allowed: impl Fn(DVec3) -> bool,
 ) -> Option<Approach> {
     let core = Core::of(a);
+    let reach = margin + core.radius;
+    if let Shape::Box { half } = b.shape {
+        let pair = nearest_to_box(core.ends.map(|end| b.pose.inverse_point(end)), *half);
+        let size = core.along().length() + 2.0 * half.length() + core.radius;
+        if pair[0].distance(pair[1]) > ROUNDING * size {
+            return Approach::between(pair.map(|p| b.pose.point(p)), reach);
+        }
+    }
     let rod = scratch.store_a.polytope(a)?;
     let polytope = scratch.store_b.polytope(b)?;
-    let reach = margin + core.radius;
     let axis = sat::separating_axis(&rod, &polytope, reach, &mut scratch.edges, allowed)?;
-    if axis.separation <= ROUNDING * (rod.size + polytope.size + core.radius) {
-        return Some(Approach {
-            normal: axis.normal,
-            points: None,
-        });
+    if axis.separation > ROUNDING * (rod.size + polytope.size + core.radius) {
+        let pair = nearest_outside(core.ends, b, &polytope, axis.separation);
+        return Approach::between(pair, reach);
     }
-    let [p, q] = nearest_outside(core.ends, b, &polytope, axis.separation);
-    (p.distance(q) < reach).then(|| Approach {
-        normal: (p - q).normalize_or_zero(),
-        points: Some([p, q]),
+    Some(Approach {
+        normal: axis.normal,
+        points: None,
     })
+}
+
+impl Approach {
+    /// From nearest points, unless they are farther apart than `reach`.
+    fn between([p, q]: [DVec3; 2], reach: f64) -> Option<Self> {
+        (p.distance(q) < reach).then(|| Self {
+            normal: (p - q).normalize_or_zero(),
+            points: Some([p, q]),
+        })
+    }
+}
+
+/// Nearest points of a segment and a box, in the box's frame.
+///
+/// A point x(s) = p + s d of the segment lies beyond the box by e(s) = x - clamp(x). The squared distance |e|^2 is convex;
+/// half its slope, d . e(s), is piecewise linear and never falls, with kinks where the segment crosses the planes of the
+/// faces. They bracket its zero, which interpolation between them finds.
+fn nearest_to_box([start, end]: [DVec3; 2], half: DVec3) -> [DVec3; 2] {
+    let d = end - start;
+    let at = |s: f64| {
+        let x = start + s * d;
+        [x, x.max(-half).min(half)]
+    };
+    let slope = |s: f64| {
+        let [x, on_box] = at(s);
+        d.dot(x - on_box)
+    };
+    let (mut low, mut high) = ((0.0, slope(0.0)), (1.0, slope(1.0)));
+    if low.1 >= 0.0 {
+        return at(0.0);
+    }
+    if high.1 <= 0.0 {
+        return at(1.0);
+    }
+    let kinks = [(half - start) / d, (-half - start) / d];
+    for s in kinks.into_iter().flat_map(|k| k.to_array()) {
+        if s > low.0 && s < high.0 {
+            let bound = (s, slope(s));
+            *(if bound.1 < 0.0 { &mut low } else { &mut high }) = bound;
+        }
+    }
+    at(low.0 + (high.0 - low.0) * (low.1 / (low.1 - high.1)))
 }
 
 /// Nearest points of a segment and a polytope that are apart by at least `separation`: nobody is nearer than an end of
@@ -188,5 +234,48 @@ fn touch(a: &Posed, b: &Posed, found: &Approach, sink: &mut Sink) {
             sink.push(0.5 * (surface + q), found.normal, radius - p.distance(q));
         }
         None => super::overlapping_supports(a, b, found.normal, sink),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::polytope::Store;
+    use super::super::testing::Random;
+    use super::*;
+
+    /// Against the nearest points of the ends and of all edges; also segments along the axes, through and in the box.
+    #[test]
+    fn nearest_points_of_segment_and_box() {
+        let mut random = Random(12);
+        let half = DVec3::new(0.3, 0.4, 0.5);
+        let shape = Shape::Box { half };
+        let posed = Posed {
+            shape: &shape,
+            pose: crate::shape::Pose::IDENTITY,
+        };
+        let mut store = Store::default();
+        let cube = store.polytope(&posed).unwrap();
+        let mut apart = 0;
+        for k in 0..20_000 {
+            let start = random.pose(1.0).position;
+            let along = match k % 4 {
+                0 => random.next() * DVec3::AXES[k / 4 % 3],
+                _ => random.pose(1.0).position,
+            };
+            let ends = [start, start + along];
+            let [p, q] = nearest_to_box(ends, half);
+            let [u, v] = nearest_outside(ends, &posed, &cube, 0.0);
+            assert!(
+                q.abs().cmple(half).all() && on_segment(p, ends[0], ends[1]).distance(p) < 1e-15
+            );
+            // Of segments through the box `nearest_outside` knows nothing.
+            let outside = p.distance(q) > 0.0;
+            assert!(
+                !outside || (p.distance(q) - u.distance(v)).abs() < 1e-15,
+                "{ends:?}"
+            );
+            apart += i32::from(outside);
+        }
+        assert!(apart > 5000);
     }
 }

@@ -21,13 +21,6 @@ const PARALLEL: f64 = 2e-3;
 /// A polygon whose projection keeps less than this share of its area is seen edge-on.
 const EDGE_ON: f64 = 1e-6;
 
-/// Polygons under way.
-#[derive(Default, Debug)]
-pub struct Buffers {
-    from: Vec<DVec3>,
-    to: Vec<DVec3>,
-}
-
 /// A plane as a height over the lateral coordinates, or a line along a segment.
 struct Surface {
     origin: DVec3,
@@ -72,7 +65,7 @@ pub(crate) fn overlay(
     a: &mut Vec<DVec3>,
     b: &mut Vec<DVec3>,
     normal: DVec3,
-    buffers: &mut Buffers,
+    buffer: &mut Vec<DVec3>,
     sink: &mut Sink,
 ) {
     let (u, v) = normal.any_orthonormal_pair();
@@ -98,7 +91,7 @@ pub(crate) fn overlay(
         (2, 2) => segments(a, b, &mut emit),
         (2, _) => segment_over_polygon(a, b, |p, h| emit(p.x, p.y, p.z, h)),
         (_, 2) => segment_over_polygon(b, a, |p, h| emit(p.x, p.y, h, p.z)),
-        _ => polygons(a, b, buffers, &mut emit),
+        _ => polygons(a, b, buffer, &mut emit),
     }
 }
 
@@ -145,7 +138,7 @@ fn point_over(a: &[DVec3], b: &[DVec3], emit: &mut impl FnMut(f64, f64, f64, f64
 
 /// A point inside a polygon.
 fn point_over_polygon(p: DVec3, polygon: &[DVec3], mut emit: impl FnMut(DVec3, f64)) {
-    let inside = |side: Side| side.inside(p) >= -side.rounding;
+    let inside = |side: Side| side.keeps(side.inside(p));
     if sides(polygon, ROUNDING).all(inside) {
         emit(p, Surface::of_polygon(polygon).height(p));
     }
@@ -192,7 +185,7 @@ fn segment_over_polygon(segment: &[DVec3], polygon: &[DVec3], mut emit: impl FnM
     for side in sides(polygon, ROUNDING) {
         let (start, end) = (side.inside(p), side.inside(p + d));
         let crossing = unit_interval(start / (start - end));
-        match (start >= -side.rounding, end >= -side.rounding) {
+        match (side.keeps(start), side.keeps(end)) {
             (true, true) => {}
             (false, false) => return,
             (false, true) => first = first.max(crossing),
@@ -214,22 +207,21 @@ fn segment_over_polygon(segment: &[DVec3], polygon: &[DVec3], mut emit: impl FnM
 
 /// Intersection of two convex polygons: Sutherland and Hodgman 1974 (Ericson 2005, section 8.3.4).
 fn polygons(
-    a: &[DVec3],
+    a: &mut Vec<DVec3>,
     b: &[DVec3],
-    buffers: &mut Buffers,
+    buffer: &mut Vec<DVec3>,
     emit: &mut impl FnMut(f64, f64, f64, f64),
 ) {
     let (on_a, on_b) = (Surface::of_polygon(a), Surface::of_polygon(b));
-    let Buffers { from, to } = buffers;
-    from.clear();
-    from.extend_from_slice(a);
     let level = on_a.is_level() && on_b.is_level();
     for side in sides(b, if level { FLUSH } else { ROUNDING }) {
-        cut(from, &side, to);
-        std::mem::swap(from, to);
+        if !a.iter().all(|p| side.keeps(side.inside(*p))) {
+            cut(a, &side, buffer);
+            std::mem::swap(a, buffer);
+        }
     }
-    tidy(from, to);
-    for p in to.iter() {
+    tidy(a, buffer);
+    for p in buffer.iter() {
         emit(p.x, p.y, on_a.height(*p), on_b.height(*p));
     }
 }
@@ -240,18 +232,17 @@ fn polygons(
 fn tidy(from: &[DVec3], to: &mut Vec<DVec3>) {
     to.clear();
     let Some(&last) = from.last() else { return };
-    let size = from
-        .iter()
-        .map(|p| lateral_length(*p - last))
-        .fold(0.0, f64::max);
+    let squares = from.iter().map(|p| lateral_square(*p - last));
+    let small = STRAIGHT * STRAIGHT * squares.fold(0.0, f64::max);
     let mut before = last;
     for (i, &p) in from.iter().enumerate() {
-        let next = from[(i + 1) % from.len()];
-        let (chord, offset) = (next - before, p - before);
-        let height = (chord.x * offset.y - chord.y * offset.x).abs();
-        if height > STRAIGHT * size * lateral_length(chord)
-            || lateral_length(chord) <= STRAIGHT * size
-        {
+        let next = from.get(i + 1).unwrap_or(&from[0]);
+        let (chord, offset) = (*next - before, p - before);
+        let (square, area) = (
+            lateral_square(chord),
+            chord.x * offset.y - chord.y * offset.x,
+        );
+        if area * area > small * square || square <= small {
             to.push(p);
             before = p;
         }
@@ -280,12 +271,11 @@ fn cut(from: &[DVec3], side: &Side, to: &mut Vec<DVec3>) {
     let mut height_before = side.inside(before);
     for &p in from {
         let height = side.inside(p);
-        let (kept_before, kept) = (height_before >= -side.rounding, height >= -side.rounding);
-        if kept != kept_before {
+        if side.keeps(height) != side.keeps(height_before) {
             let t = unit_interval(height_before / (height_before - height));
             to.push(before + t * (p - before));
         }
-        if kept {
+        if side.keeps(height) {
             to.push(p);
         }
         before = p;
@@ -314,6 +304,11 @@ impl Side {
     fn inside(&self, p: DVec3) -> f64 {
         self.along.x * (p.y - self.corner.y) - self.along.y * (p.x - self.corner.x)
     }
+
+    /// Whether a point at that distance counts as inside.
+    fn keeps(&self, inside: f64) -> bool {
+        inside >= -self.rounding
+    }
 }
 
 fn newell(points: &[DVec3]) -> DVec3 {
@@ -323,8 +318,12 @@ fn newell(points: &[DVec3]) -> DVec3 {
         .sum()
 }
 
+fn lateral_square(d: DVec3) -> f64 {
+    d.x * d.x + d.y * d.y
+}
+
 fn lateral_length(d: DVec3) -> f64 {
-    (d.x * d.x + d.y * d.y).sqrt()
+    lateral_square(d).sqrt()
 }
 
 fn unit_interval(t: f64) -> f64 {

@@ -15,7 +15,8 @@ const LEVEL: f64 = 1e-6;
 const SUPPORT_TOLERANCE: f64 = 1e-9;
 
 /// Writes the feature that faces a unit direction (world) to `out`: 1, 2, or more points in the order of a polygon.
-pub(crate) fn facing(a: &Posed, direction: DVec3, out: &mut Vec<DVec3>) {
+/// `heights` is working memory.
+pub(crate) fn facing(a: &Posed, direction: DVec3, heights: &mut Vec<f64>, out: &mut Vec<DVec3>) {
     out.clear();
     let local = a.pose.inverse_direction(direction);
     match a.shape {
@@ -30,7 +31,7 @@ pub(crate) fn facing(a: &Posed, direction: DVec3, out: &mut Vec<DVec3>) {
         } => cylinder(*radius, *half_height, local, &a.pose, out),
         Shape::Cone { radius, height } => cone(*radius, *height, local, &a.pose, out),
         Shape::Rod { half_length } => segment(*half_length, local, out),
-        Shape::Hull(hull) => hull_face(hull, local, out),
+        Shape::Hull(hull) => hull_face(hull, local, heights, out),
         Shape::Triangle(corners) => out.extend(corners),
         Shape::Sphere { .. } | Shape::Ellipsoid { .. } => out.push(a.shape.support(local)),
         Shape::HalfSpace | Shape::Mesh(_) => {}
@@ -151,31 +152,28 @@ fn ring_axes(pose: &Pose) -> (DVec3, DVec3) {
 }
 
 /// Of the faces that contain all supporting vertices (one, an edge's two, or a face's) the most aligned one.
-fn hull_face(hull: &Hull, d: DVec3, out: &mut Vec<DVec3>) {
-    let height = |i: &u32| {
-        hull.vertices()
-            .get(*i as usize)
-            .map_or(f64::NEG_INFINITY, |v| v.dot(d))
-    };
-    let top = hull.support(d).dot(d);
-    let tolerance = SUPPORT_TOLERANCE * hull.bounding_radius();
-    let supporting = |i: &u32| height(i) >= top - tolerance;
-    let mut best = None;
-    let mut best_score = (0, f64::NEG_INFINITY);
-    for face in hull.faces().iter().filter(|f| f.normal.dot(d) > 0.0) {
-        let shared = hull.corners(face).iter().filter(|i| supporting(i)).count();
-        let score = (shared, face.normal.dot(d));
-        if shared > 0 && score > best_score {
-            best_score = score;
-            best = Some(face);
+fn hull_face(hull: &Hull, d: DVec3, heights: &mut Vec<f64>, out: &mut Vec<DVec3>) {
+    heights.clear();
+    heights.extend(hull.vertices().iter().map(|v| v.dot(d)));
+    let top = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let support = top - SUPPORT_TOLERANCE * hull.bounding_radius();
+    let mut best = (0, 0.0, None);
+    for face in hull.faces() {
+        let aligned = face.normal.dot(d);
+        if aligned <= 0.0 {
+            continue;
+        }
+        let corners = hull.corners(face).iter();
+        let shared = corners.filter(|&&i| heights[i as usize] >= support).count();
+        if shared > 0 && (shared, aligned) > (best.0, best.1) {
+            best = (shared, aligned, Some(face));
         }
     }
-    match best {
-        Some(face) => out.extend(
-            hull.corners(face)
-                .iter()
-                .filter_map(|&i| hull.vertices().get(i as usize)),
-        ),
+    match best.2 {
+        Some(face) => {
+            let corners = hull.corners(face).iter();
+            out.extend(corners.map(|&i| hull.vertices()[i as usize]));
+        }
         None => out.push(hull.support(d)),
     }
 }

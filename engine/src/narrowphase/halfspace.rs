@@ -25,6 +25,6 @@ fn nearest(a: &Posed, plane: &Pose, scratch: &mut Scratch) {
             points.extend(hull.vertices().iter().map(|v| a.pose.point(*v)));
         }
         Shape::HalfSpace | Shape::Mesh(_) => points.clear(),
-        _ => features::facing(a, -plane.rotation.z_axis, points),
+        _ => features::facing(a, -plane.rotation.z_axis, &mut scratch.heights, points),
     }
 }

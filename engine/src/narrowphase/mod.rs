@@ -61,7 +61,8 @@ pub struct Scratch {
     store_a: polytope::Store,
     store_b: polytope::Store,
     edges: sat::Edges,
-    clip: clip::Buffers,
+    clip: Vec<DVec3>,
+    heights: Vec<f64>,
     polish: polish::Buffers,
     triangles: Vec<u32>,
     ways: Vec<triangle_mesh::Way>,
@@ -316,8 +317,8 @@ fn refined(
 /// Lays the features that face each other along a normal over one another: at most 8 points. False when that
 /// gives no point.
 fn overlay(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut Sink) -> bool {
-    features::facing(a, -normal, &mut scratch.feature_a);
-    features::facing(b, normal, &mut scratch.feature_b);
+    features::facing(a, -normal, &mut scratch.heights, &mut scratch.feature_a);
+    features::facing(b, normal, &mut scratch.heights, &mut scratch.feature_b);
     let start = sink.out.len();
     clip::overlay(
         &mut scratch.feature_a,

@@ -40,19 +40,26 @@ pub(crate) fn drop_passing(a: &Posed, b: &Posed, points: &mut Vec<ContactPoint>,
 /// Whether a shape lies flush on a face of the solid that is turned against `outward`: while apart in an edge or point,
 /// else with a face.
 fn lies_flush(shape: &Posed, solid: &Posed, outward: DVec3, apart: bool) -> bool {
+    if solid.shape.is_round() {
+        return false;
+    }
     let limit = if apart { TURNED_APART } else { TURNED };
     let outward = solid.pose.inverse_direction(outward);
-    let center = solid
-        .pose
-        .inverse_point(shape.pose.point(shape.shape.center()));
-    // In the solid's axes, where most faces are seen to be beside the point.
-    let beside = |face: &Face| face.height(center) > -FLUSH && face.normal.dot(outward) < limit;
-    let touched = |face: Face| {
-        let face = placed(&face, &solid.pose);
-        touches(shape, &face)
-            && (apart || faces(shape).any(|f| -f.normal.dot(face.normal) >= TURNED))
-    };
-    own_faces(solid.shape).filter(beside).any(touched)
+    let center = shape.pose.point(shape.shape.center());
+    let center = solid.pose.inverse_point(center);
+    // Seen from the solid most of its faces are beside the shape.
+    any_face(solid.shape, |face| {
+        face.height(center) > -FLUSH && face.normal.dot(outward) < limit && {
+            let face = placed(face, &solid.pose);
+            (apart || faces_it(shape, face.normal)) && touches(shape, &face)
+        }
+    })
+}
+
+/// Whether a shape has a face that lies on one with this normal (world).
+fn faces_it(shape: &Posed, normal: DVec3) -> bool {
+    let against = -shape.pose.inverse_direction(normal);
+    any_face(shape.shape, |face| face.normal.dot(against) >= TURNED)
 }
 
 /// Whether a shape whose centre is outside of a face's plane touches it.
@@ -60,42 +67,24 @@ fn touches(shape: &Posed, face: &Face) -> bool {
     face.height(shape.support(-face.normal)).abs() <= FLUSH
 }
 
-/// A solid's flat faces, in world axes.
-fn faces<'a>(solid: &Posed<'a>) -> impl Iterator<Item = Face> + 'a {
-    let pose = solid.pose;
-    own_faces(solid.shape).map(move |face| placed(&face, &pose))
-}
-
 fn placed(face: &Face, pose: &Pose) -> Face {
     let normal = pose.direction(face.normal);
     Face::plane(normal, face.offset + normal.dot(pose.position))
 }
 
-/// A shape's flat faces, in its frame.
-fn own_faces(shape: &Shape) -> impl Iterator<Item = Face> + '_ {
-    let few = match shape {
-        Shape::Box { .. } => 6,
-        Shape::Cylinder { .. } => 2,
-        Shape::Cone { .. } => 1,
-        _ => 0,
-    };
-    let many: &[Face] = match shape {
-        Shape::Hull(hull) => hull.faces(),
-        _ => &[],
-    };
-    (0..few)
-        .map(|k| simple_face(shape, k))
-        .chain(many.iter().copied())
-}
-
-/// Of a box, a cylinder or a cone.
-fn simple_face(shape: &Shape, k: usize) -> Face {
-    let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+/// Whether a flat face of a shape, in its frame, is of a kind.
+fn any_face(shape: &Shape, mut is: impl FnMut(&Face) -> bool) -> bool {
     match shape {
-        Shape::Box { half } => Face::plane(sign * DVec3::AXES[k / 2], half[k / 2]),
-        Shape::Cone { height, .. } => Face::plane(DVec3::NEG_Z, 0.25 * height),
-        Shape::Cylinder { half_height, .. } => Face::plane(sign * DVec3::Z, *half_height),
-        _ => Face::plane(DVec3::ZERO, f64::INFINITY),
+        Shape::Hull(hull) => hull.faces().iter().any(is),
+        Shape::Box { half } => (0..3).any(|k| {
+            let (axis, reach) = (DVec3::AXES[k], half[k]);
+            is(&Face::plane(axis, reach)) || is(&Face::plane(-axis, reach))
+        }),
+        Shape::Cylinder { half_height, .. } => {
+            is(&Face::plane(DVec3::Z, *half_height)) || is(&Face::plane(-DVec3::Z, *half_height))
+        }
+        Shape::Cone { height, .. } => is(&Face::plane(-DVec3::Z, 0.25 * height)),
+        _ => false,
     }
 }
 
