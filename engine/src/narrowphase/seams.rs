@@ -40,7 +40,7 @@ pub(crate) fn drop_passing(a: &Posed, b: &Posed, points: &mut Vec<ContactPoint>,
 /// Whether a shape lies flush on a face of the solid that is turned against `outward`: while apart in an edge or point,
 /// else with a face.
 fn lies_flush(shape: &Posed, solid: &Posed, outward: DVec3, apart: bool) -> bool {
-    if solid.shape.is_round() {
+    if !has_faces(solid.shape) {
         return false;
     }
     let limit = if apart { TURNED_APART } else { TURNED };
@@ -70,6 +70,11 @@ fn touches(shape: &Posed, face: &Face) -> bool {
 fn placed(face: &Face, pose: &Pose) -> Face {
     let normal = pose.direction(face.normal);
     Face::plane(normal, face.offset + normal.dot(pose.position))
+}
+
+fn has_faces(shape: &Shape) -> bool {
+    use Shape::{Box, Cone, Cylinder, Hull};
+    matches!(shape, Box { .. } | Hull(_) | Cylinder { .. } | Cone { .. })
 }
 
 /// Whether a flat face of a shape, in its frame, is of a kind.
