@@ -95,11 +95,28 @@ impl MassProperties {
                 DMat3::from_diagonal(DVec3::splat(across)) + dyad
             }
             Symmetry::None => {
-                let principal = DMat3::from_quat((orientation * self.axes).normalize());
-                principal * DMat3::from_diagonal(inverse) * principal.transpose()
+                let principal = if self.axes == DQuat::IDENTITY {
+                    DMat3::from_quat(orientation)
+                } else {
+                    DMat3::from_quat((orientation * self.axes).normalize())
+                };
+                symmetric_product(&principal, inverse)
             }
         }
     }
+}
+
+/// R diag(d) R^T, symmetric to the last bit.
+fn symmetric_product(r: &DMat3, d: DVec3) -> DMat3 {
+    let rows = r.transpose();
+    let (a, b, c) = (rows.x_axis, rows.y_axis, rows.z_axis);
+    let (da, db) = (a * d, b * d);
+    let (xy, xz, yz) = (da.dot(b), da.dot(c), db.dot(c));
+    DMat3::from_cols(
+        DVec3::new(da.dot(a), xy, xz),
+        DVec3::new(xy, db.dot(b), yz),
+        DVec3::new(xz, yz, (c * d).dot(c)),
+    )
 }
 
 /// What moves: the state that integrators advance and checkpoints keep.

@@ -44,20 +44,59 @@ fn turned_about(mass: &MassProperties, state: &State, t: f64, k: usize) -> DQuat
     let momentum = state.angular_momentum;
     let along = momentum.dot(principal * DVec3::AXES[k]);
     let whole = rotation_from_vector(momentum * (across * t));
-    let own = rotation_from_vector(DVec3::AXES[k] * (along * (inverse[k] - across) * t));
-    whole * principal * own * mass.axes.conjugate()
+    let own = Spin::new(k, along * (inverse[k] - across) * t);
+    whole * own.turn(principal) * mass.axes.conjugate()
 }
 
 fn turned_split(mass: &MassProperties, state: &State, t: f64, splitting: Splitting) -> DQuat {
     let mut principal = state.orientation * mass.axes;
-    let mut momentum = principal.conjugate() * state.angular_momentum;
+    let mut momentum = (principal.conjugate() * state.angular_momentum).to_array();
     for &(k, share) in splitting {
-        let angle = share * t * momentum[k] * mass.inverse_moments[k];
-        let turn: DQuat = rotation_from_vector(DVec3::AXES[k] * angle);
-        principal *= turn;
-        momentum = turn.conjugate() * momentum;
+        let spin = Spin::new(k, share * t * momentum[k] * mass.inverse_moments[k]);
+        principal = spin.turn(principal);
+        spin.follow(&mut momentum);
     }
     principal * mass.axes.conjugate()
+}
+
+/// A rotation about a principal axis.
+struct Spin {
+    axis: usize,
+    /// Of half the angle.
+    sine: f64,
+    cosine: f64,
+}
+
+impl Spin {
+    fn new(axis: usize, angle: f64) -> Self {
+        let (sine, cosine) = libm::sincos(0.5 * angle);
+        Self { axis, sine, cosine }
+    }
+
+    /// The two axes that turn, the first towards the second.
+    fn others(&self) -> (usize, usize) {
+        ((self.axis + 1) % 3, (self.axis + 2) % 3)
+    }
+
+    /// q (cos + sin e), the spin within the frame `q`.
+    fn turn(&self, q: DQuat) -> DQuat {
+        let (k, (i, j), q) = (self.axis, self.others(), q.to_array());
+        let (s, c) = (self.sine, self.cosine);
+        let mut out = [0.0; 4];
+        out[k] = q[3] * s + q[k] * c;
+        out[i] = q[i] * c + q[j] * s;
+        out[j] = q[j] * c - q[i] * s;
+        out[3] = q[3] * c - q[k] * s;
+        DQuat::from_array(out)
+    }
+
+    /// A vector that stays in the world, in axes that spin.
+    fn follow(&self, v: &mut [f64; 3]) {
+        let (i, j) = self.others();
+        let (s, c) = (self.sine, self.cosine);
+        let (sine, cosine) = (2.0 * s * c, (c - s) * (c + s));
+        (v[i], v[j]) = (v[i] * cosine + v[j] * sine, v[j] * cosine - v[i] * sine);
+    }
 }
 
 /// The derivative of [`turned`] by the angular momentum: a change dL of it turns the end by the small rotation vector
@@ -110,7 +149,7 @@ fn split_turn(mass: &MassProperties, state: &State, t: f64, splitting: Splitting
         let felt = (DMat3::IDENTITY + cross * turn).transpose() * axis;
         turn += outer(axis, felt * rate);
         let angle = rate * axis.dot(state.angular_momentum);
-        principal *= rotation_from_vector(DVec3::AXES[k] * angle);
+        principal = Spin::new(k, angle).turn(principal);
     }
     turn
 }

@@ -418,15 +418,18 @@ impl World {
             self.ledger.work_motors += self.loads.work_of_paths(rows, &self.bodies);
         }
         self.joints.values(&self.bodies, &mut self.values);
-        each_with(&mut self.bodies, &self.impacts.kinks, &|body, kink| {
-            kink.straighten(body);
-        });
+        if self.impacts.any {
+            each_with(&mut self.bodies, &self.impacts.kinks, &|body, kink| {
+                kink.straighten(body);
+            });
+        }
         self.paths.arrive(&mut self.bodies, time + h);
     }
 
     /// Overlaps are taken back by moving bodies; joints then are put back as the integrator left them.
     fn correct_positions(&mut self) {
-        if self.settings.stabilization == Stabilization::Baumgarte {
+        let baumgarte = self.settings.stabilization == Stabilization::Baumgarte;
+        if baumgarte || (self.contacts.is_empty() && !self.impacts.any) {
             return;
         }
         let before = self.potential().total();
