@@ -11,10 +11,11 @@ use std::cell::Cell;
 use _engine::body::MassProperties;
 use _engine::collide::NoOracle;
 use _engine::integrator::Integrator;
+use _engine::joint::{JointModel, Kind};
 use _engine::shape::Shape;
 use _engine::world::World;
 use common::{add, empty_model};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 thread_local! {
     static COUNT: Cell<usize> = const { Cell::new(0) };
@@ -108,4 +109,37 @@ fn free_flight_takes_no_memory_from_the_second_step_on() {
     let mut world = World::new(model);
     allocations(&mut world, 2);
     assert_eq!(allocations(&mut world, 1000), 0);
+}
+
+#[test]
+fn a_chain_that_swings_takes_no_memory() {
+    let mut model = empty_model(1.0 / 240.0, 0.0, 0.0);
+    let inertia = DMat3::from_diagonal(DVec3::new(0.1, 1.0, 1.2));
+    let half = DVec3::new(0.5, 0.1, 0.1);
+    for k in 0..10 {
+        // Far enough apart that they never touch.
+        let place = DVec3::new(3.0 * f64::from(k) + 1.5, 0.0, 0.0);
+        let mass = MassProperties::new(1.0, inertia);
+        add(&mut model, Shape::Box { half }, place, mass);
+    }
+    let (first, last) = (DVec3::new(-1.5, 0.0, 0.0), DVec3::new(1.5, 0.0, 0.0));
+    for k in 0..10 {
+        let (upper, anchor) = if k == 0 {
+            (10, DVec3::ZERO)
+        } else {
+            (k - 1, last)
+        };
+        model.joints.push(JointModel {
+            kind: Kind::Ball,
+            bodies: [upper, k],
+            anchors: [anchor, first],
+            frames: [DQuat::IDENTITY; 2],
+            damping: 0.0,
+            break_force: f64::INFINITY,
+            break_torque: f64::INFINITY,
+        });
+    }
+    let mut world = World::new(model);
+    allocations(&mut world, 240);
+    assert_eq!(allocations(&mut world, 240), 0);
 }
