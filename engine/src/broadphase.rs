@@ -11,6 +11,7 @@ use glam::DVec3;
 
 use crate::model::Geom;
 use crate::shape::{Aabb, Pose, Shape};
+use crate::team::{fill, gather, HANDFUL};
 
 /// Boxes are enlarged by this part of their mean extent, and by what they grew for `HEADWAY` steps more.
 const SLACK: f64 = 0.1;
@@ -42,6 +43,8 @@ pub struct Broadphase {
     enlarged: Vec<Aabb>,
     /// Pairs (a < b) whose enlarged boxes overlap, sorted.
     neighbours: Vec<(u32, u32)>,
+    /// Of each pair of neighbours: the boxes of now overlap.
+    meets: Vec<bool>,
     columns: Columns,
 }
 
@@ -75,15 +78,21 @@ impl Broadphase {
             self.enlarge(places);
             self.list_neighbours(places, movable);
         }
+        let neighbours = &self.neighbours;
+        fill(&mut self.meets, (neighbours.len(), false), &|k| {
+            places.meet(neighbours[k])
+        });
         out.clear();
-        let near = self.neighbours.iter().filter(|pair| places.meet(**pair));
-        out.extend(near);
+        let near = neighbours.iter().zip(&self.meets).filter(|(_, &meet)| meet);
+        out.extend(near.map(|(&pair, _)| pair));
     }
 
     /// A box is not inside its enlarged one.
     fn has_left(&self, boxes: &[Aabb]) -> bool {
         let inside = |&k: &u32| self.enlarged[k as usize].contains(&boxes[k as usize]);
-        self.enlarged.len() != boxes.len() || !self.bounded.iter().all(inside)
+        let all_inside = |part: &[u32]| part.iter().all(inside);
+        self.enlarged.len() != boxes.len()
+            || !gather(&self.bounded[..], HANDFUL, &all_inside, &|a, b| a && b)
     }
 
     fn enlarge(&mut self, places: &Places) {

@@ -25,7 +25,7 @@ use crate::loads::Loads;
 use crate::model::{Geom, Model, PairTable, Settings, Stabilization};
 use crate::mover::Twist;
 use crate::paths::Paths;
-use crate::position::Correction;
+use crate::position::{Correction, SLOP};
 use crate::shape::{Aabb, Pose};
 use crate::solver::{Report, Solver};
 use crate::team::{each, each_with, fill, gather, Team};
@@ -432,7 +432,12 @@ impl World {
         if baumgarte || (self.contacts.is_empty() && !self.impacts.any) {
             return;
         }
-        let before = self.potential().total();
+        let overlap = self.gaps.iter().any(|&gap| gap < -SLOP);
+        let before = if overlap {
+            self.potential().total()
+        } else {
+            0.0 // nothing will be moved
+        };
         let beta = self.settings.baumgarte;
         let moved = self
             .correction
