@@ -285,6 +285,7 @@ impl Impacts {
         let limits = Limits {
             iterations: 2 * rules.iterations,
             tolerance: (1e-10 * fastest).min(rules.tolerance),
+            calm: 0.0,
             quiet_speed: f64::INFINITY,
         };
         let report = self.solve(scene, limits);

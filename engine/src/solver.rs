@@ -47,6 +47,8 @@ const LEAP: f64 = 1e-3;
 
 /// After a leap, a first sweep that changes this many times as much as before says that the guess was wrong.
 const ASTRAY: f64 = 8.0;
+/// Sweeps for loads on their own, where sweeps are all there is.
+const LOADS: usize = 4;
 /// A tolerance below this [m/s], such as that of impacts, is too fine for direct solves: they divide rounding errors by
 /// their compliance.
 const DIGITS: f64 = 1e-8;
@@ -67,6 +69,8 @@ pub struct Report {
     pub residual: f64,
     /// Sweeps made, in the island that took most.
     pub iterations: usize,
+    /// More sweeps, as many as were allowed, would not have mattered.
+    stalled: bool,
 }
 
 /// How far to go.
@@ -76,6 +80,8 @@ pub struct Limits {
     pub iterations: usize,
     /// Stop below this residual [m/s].
     pub tolerance: f64,
+    /// Stop below this residual where sweeps stall [m/s].
+    pub calm: f64,
     /// Contacts that meet at up to this speed are at rest [m/s].
     pub quiet_speed: f64,
 }
@@ -96,19 +102,41 @@ impl Report {
         Self {
             residual: self.residual.max(other.residual),
             iterations: self.iterations.max(other.iterations),
+            stalled: self.stalled || other.stalled,
         }
     }
 
     fn then(self, next: Self) -> Self {
         Self {
-            residual: next.residual,
             iterations: self.iterations + next.iterations,
+            ..next
         }
     }
 }
 
 /// Contacts that are worth handing to another thread.
 const HANDFUL: usize = 200;
+
+/// How the residual falls from sweep to sweep.
+struct Pace {
+    last: f64,
+    slow: usize,
+}
+
+impl Pace {
+    /// After `made` sweeps, would all that are `left` not even halve it, at this pace? Asked twice, to be sure.
+    fn stalls(&mut self, residual: f64, made: usize, left: usize) -> bool {
+        #[allow(clippy::cast_precision_loss)]
+        let hoped = 0.5 * self.last * made as f64 / left as f64;
+        self.slow = if self.last - residual < hoped {
+            self.slow + 1
+        } else {
+            0
+        };
+        self.last = residual;
+        self.slow >= 2
+    }
+}
 
 /// Working memory, kept from solve to solve.
 #[derive(Debug, Default)]
@@ -473,13 +501,15 @@ impl Worker {
     /// still too narrow would leave the contacts of a body straining against each other. Static contacts that gave way
     /// slide from there on, and others may give way then; a third of the sweeps is kept for that. It ends, because a
     /// contact changes only from static to kinetic. What slips only because the sweeps have not arrived is not let go.
+    /// Where sweeps are all there is, loads on their own get a few only: they are of another balance than loads with
+    /// friction, and last step's impulses are nearer to that.
     fn release(&mut self, system: &mut System, limits: Limits) -> Report {
         let mut report = self.iterate(system, Part::Normals, limits.share(3));
         report = report.then(self.iterate(system, Part::All, limits.share(3)));
         while report.iterations < limits.iterations {
             let noticeable = 10.0 * report.residual.max(limits.tolerance);
             let released = system.release_slipping(noticeable);
-            if !released && report.residual < limits.tolerance {
+            if !released && (report.stalled || report.residual < limits.tolerance) {
                 break;
             }
             let left = Limits {
@@ -502,6 +532,10 @@ impl Worker {
         };
         let mut passes = PASSES * limits.iterations;
         let mut start = f64::INFINITY;
+        let mut pace = Pace {
+            last: f64::INFINITY,
+            slow: 0,
+        };
         loop {
             let sweeps = patience.min(limits.iterations - iterations);
             let (mut residual, made) =
@@ -517,6 +551,7 @@ impl Worker {
                 return Report {
                     residual,
                     iterations,
+                    stalled: false,
                 };
             }
             if residual > 0.5 * start {
@@ -530,6 +565,17 @@ impl Worker {
                 self.kept.clear();
                 self.kept.extend(system.impulses());
                 passes -= self.leap(system, part, passes, limits.tolerance / residual);
+            } else {
+                let stalled = pace.stalls(residual, made, limits.iterations - iterations);
+                if (part == Part::Normals && iterations >= LOADS)
+                    || (stalled && residual < limits.calm)
+                {
+                    return Report {
+                        residual,
+                        iterations,
+                        stalled,
+                    };
+                }
             }
         }
     }
@@ -556,7 +602,7 @@ impl Worker {
         let mut within = |products| self.direct.suits(points, system.movers, products);
         if within(CHEAP * points.len()) {
             Leap::Direct { cheap: true }
-        } else if points.iter().all(|p| p.quiet) && within(DEAR * points.len()) {
+        } else if mostly_quiet(points) && within(DEAR * points.len()) {
             Leap::Direct { cheap: false }
         } else {
             Leap::Never
@@ -598,6 +644,11 @@ impl Worker {
         system.hold_joints();
         passes
     }
+}
+
+/// Nine of ten contacts rest; the others may be what still settles.
+fn mostly_quiet(points: &[Point]) -> bool {
+    10 * points.iter().filter(|p| !p.quiet).count() <= points.len()
 }
 
 impl System<'_> {
@@ -694,5 +745,34 @@ impl System<'_> {
             any |= p.release(self.movers, noticeable);
         }
         any
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn paced(residuals: &[f64], left: usize) -> Vec<bool> {
+        let mut pace = Pace {
+            last: f64::INFINITY,
+            slow: 0,
+        };
+        let ask = |&residual: &f64| pace.stalls(residual, 2, left);
+        residuals.iter().map(ask).collect()
+    }
+
+    #[test]
+    fn sweeps_that_do_not_get_on_stall() {
+        assert_eq!(paced(&[4.0, 3.9, 3.8, 3.7], 20), [false, false, true, true]);
+    }
+
+    #[test]
+    fn sweeps_that_get_on_do_not_stall() {
+        assert_eq!(paced(&[4.0, 3.7, 3.6, 3.3], 20), [false; 4]);
+        assert_eq!(
+            paced(&[4.0, 3.9, 3.8, 3.7], 200),
+            [false; 4],
+            "more sweeps, more patience"
+        );
     }
 }

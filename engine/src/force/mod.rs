@@ -80,6 +80,12 @@ impl Forces {
         }
     }
 
+    /// Uniform gravity [m/s^2].
+    #[must_use]
+    pub fn gravity(&self) -> DVec3 {
+        self.gravity
+    }
+
     /// Add what acts on the moving bodies at a moment to `wrenches`, and give the power of all that has no
     /// potential. A fixed body takes nothing; where it is moved as prescribed, the power that its drive spends on
     /// springs and gravitation counts as that of a motor.

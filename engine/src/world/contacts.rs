@@ -20,6 +20,9 @@ use super::World;
 
 /// Where sweeps run out, velocities are off by this many times what the last sweep still changed.
 const NOISE: f64 = 10.0;
+/// Where sweeps stall, this part of what gravity gives in a step is left.
+const CALM: f64 = 1e-3;
+
 impl World {
     /// Impulses that keep bodies apart, rub them and drive their joints, all together, from where the bodies would be
     /// without them. They act on the motion as constant forces.
@@ -60,6 +63,7 @@ impl World {
         let limits = Limits {
             iterations: self.settings.iterations,
             tolerance: self.settings.tolerance,
+            calm: CALM * self.forces.gravity().length() * h,
             quiet_speed: self.settings.slip_speed,
         };
         self.solver.load_after(&self.bodies, &self.loads.free, h);
