@@ -626,7 +626,11 @@ impl Worker {
             let reduction = (0.1 * tolerance / residual).max(LEAP);
             return self.leap_by_gmres(system, part, (budget, reduction));
         }
-        let rounds = if part == Part::Normals && self.wrong > 0 { ROUNDS } else { 1 };
+        let rounds = if part == Part::Normals && self.wrong > 0 {
+            ROUNDS
+        } else {
+            1
+        };
         for _ in 0..rounds {
             self.direct.solve(system.points, system.movers, part);
             if system.cut(part) <= residual {
