@@ -566,7 +566,7 @@ impl Worker {
                 start = residual;
                 self.kept.clear();
                 self.kept.extend(system.impulses());
-                passes -= self.leap(system, part, passes, (residual, limits.tolerance));
+                passes -= self.leap(system, part, passes, (residual, limits));
             } else {
                 let stalled = pace.stalls(residual, made, limits.iterations - iterations);
                 if (part == Part::Normals && iterations >= LOADS)
@@ -613,6 +613,7 @@ impl Worker {
 
     /// Solve the contacts that carry as a linear system, and bring the result back into the cones. Returns the number
     /// of passes over the contacts that it took, at most `budget`.
+    ///
     /// Contacts that would have to pull let go, and the others are solved without them: of the corners of a wall that is
     /// still settling, hundreds are held at first that are about to open, and a single guess strains against them.
     fn leap(
@@ -620,20 +621,21 @@ impl Worker {
         system: &mut System,
         part: Part,
         budget: usize,
-        (residual, tolerance): (f64, f64),
+        (residual, limits): (f64, Limits),
     ) -> usize {
         if self.leap == Some(Leap::Krylov) {
-            let reduction = (0.1 * tolerance / residual).max(LEAP);
+            let reduction = (0.1 * limits.tolerance / residual).max(LEAP);
             return self.leap_by_gmres(system, part, (budget, reduction));
         }
-        let rounds = if part == Part::Normals && self.wrong > 0 {
+        let settling = residual > limits.calm && system.points.iter().all(|p| p.quiet);
+        let rounds = if settling && part == Part::Normals {
             ROUNDS
         } else {
             1
         };
         for _ in 0..rounds {
             self.direct.solve(system.points, system.movers, part);
-            if system.cut(part) <= residual {
+            if system.cut(part) <= limits.tolerance {
                 break;
             }
         }
