@@ -21,6 +21,8 @@ SETTINGS: dict[str, dict[str, Any]] = {
     "verlet": {"integrator": "velocity_verlet"},
     "rk4": {"integrator": "rk4"},
 }
+# Of most bodies [kg/m^3].
+DENSITY = 1000.0
 
 
 def version() -> str:
@@ -66,7 +68,7 @@ def described(scene: Scene, simulation: dict[str, Any]) -> str:
             "physsim": 1,
             "world": {"gravity": [0.0, 0.0, -scene.gravity]},
             "simulation": {"duration": scene.duration, **simulation},
-            "materials": {"stuff": {"density": 1000.0}},
+            "materials": {"stuff": {"density": DENSITY}},
             "pairs": [stuff | friction],
             "bodies": bodies,
             "joints": {
@@ -82,16 +84,16 @@ def described(scene: Scene, simulation: dict[str, Any]) -> str:
 
 
 def _moving(body: Body, scene: Scene) -> dict[str, Any]:
-    return {
-        "shape": _shape(body.kind, body.size, scene),
-        "material": "stuff",
-        "density": body.density,
-        "position": list(body.position),
-        "orientation": {"quaternion": list(body.orientation)},
-        "velocity": list(body.velocity),
-        "angular_velocity": list(body.spin),
-        "collides": scene.collides,
-    }
+    """With what is not as it is anyway."""
+    shape = _shape(body.kind, body.size, scene)
+    told = {"shape": shape, "material": "stuff", "position": list(body.position)}
+    if body.density != DENSITY:
+        told["density"] = body.density
+    if body.orientation != (1.0, 0.0, 0.0, 0.0):
+        told["orientation"] = {"quaternion": list(body.orientation)}
+    if any(body.velocity) or any(body.spin):
+        told |= {"velocity": list(body.velocity), "angular_velocity": list(body.spin)}
+    return told if scene.collides else told | {"collides": False}
 
 
 def _standing(obstacle: Obstacle) -> dict[str, Any]:

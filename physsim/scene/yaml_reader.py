@@ -21,7 +21,8 @@ from physsim.scene.problems import MAX_TOLD
 from physsim.scene.scalars import meaning
 
 MAX_DEPTH = 64
-MAX_NODES = 1_000_000
+# Thirty thousand bodies with all their keys are 1.2 million.
+MAX_NODES = 2_000_000
 MAX_ALIASED_NODES = 100_000
 MAX_SHOWN = 40
 _CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
