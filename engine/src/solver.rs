@@ -525,7 +525,8 @@ impl Worker {
 
     /// Sweeps and leaps in turn, until a sweep changes nothing any more. Ends with a sweep, so that every impulse lies in
     /// its cone. A leap may guess wrongly which contacts carry, and the next sweeps then have more to mend than before:
-    /// then its impulses are taken back, and the next guess waits longer.
+    /// then its impulses are taken back, and the next guess waits longer. A direct one that brings nothing where the residual
+    /// is calm is the last.
     fn iterate(&mut self, system: &mut System, part: Part, limits: Limits) -> Report {
         let mut iterations = 0;
         let mut patience = match self.leap {
@@ -557,6 +558,13 @@ impl Worker {
                 };
             }
             if residual > 0.5 * start {
+                if residual < limits.calm && matches!(self.leap, Some(Leap::Direct { .. })) {
+                    return Report {
+                        residual,
+                        iterations,
+                        stalled: true,
+                    };
+                }
                 patience *= 2;
             }
             start = f64::INFINITY;
@@ -604,7 +612,7 @@ impl Worker {
         let mut within = |products| self.direct.suits(points, system.movers, products);
         if within(CHEAP * points.len()) {
             Leap::Direct { cheap: true }
-        } else if mostly_quiet(points) && within(DEAR * points.len()) {
+        } else if within(patience_for(points) * points.len()) {
             Leap::Direct { cheap: false }
         } else {
             Leap::Never
@@ -663,9 +671,15 @@ impl Worker {
     }
 }
 
-/// Nine of ten contacts rest; the others may be what still settles.
-fn mostly_quiet(points: &[Point]) -> bool {
-    10 * points.iter().filter(|p| !p.quiet).count() <= points.len()
+/// Products of blocks per contact that a direct solve may take: where nine of ten contacts rest, and the others may be
+/// what still settles, what a wall takes; where all rest, what small heaps take, too.
+fn patience_for(points: &[Point]) -> usize {
+    let restless = points.iter().filter(|p| !p.quiet).count();
+    match restless {
+        0 => DEAR,
+        _ if 10 * restless <= points.len() => DEAR / 2,
+        _ => 0,
+    }
 }
 
 impl System<'_> {
