@@ -525,8 +525,7 @@ impl Worker {
 
     /// Sweeps and leaps in turn, until a sweep changes nothing any more. Ends with a sweep, so that every impulse lies in
     /// its cone. A leap may guess wrongly which contacts carry, and the next sweeps then have more to mend than before:
-    /// then its impulses are taken back, and the next guess waits longer. A direct one that brings nothing where the residual
-    /// is calm is the last.
+    /// then its impulses are taken back, and the next guess waits longer.
     fn iterate(&mut self, system: &mut System, part: Part, limits: Limits) -> Report {
         let mut iterations = 0;
         let mut patience = match self.leap {
@@ -558,13 +557,6 @@ impl Worker {
                 };
             }
             if residual > 0.5 * start {
-                if residual < limits.calm && matches!(self.leap, Some(Leap::Direct { .. })) {
-                    return Report {
-                        residual,
-                        iterations,
-                        stalled: true,
-                    };
-                }
                 patience *= 2;
             }
             start = f64::INFINITY;
