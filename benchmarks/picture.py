@@ -41,6 +41,8 @@ def drawn(rows: Sequence[Row], path: Path) -> None:
 
 
 def _panel(axis: Any, scene: str, rows: Sequence[Row]) -> None:
+    from matplotlib.ticker import FormatStrFormatter, LogLocator, NullFormatter  # noqa: PLC0415
+
     quality, label = next((q, text) for q, text in BY if any(q in row for row in rows))
     for name in dict.fromkeys(name_of(row) for row in rows):
         own = [row for row in rows if name_of(row) == name and quality in row]
@@ -53,4 +55,9 @@ def _panel(axis: Any, scene: str, rows: Sequence[Row]) -> None:
         axis.annotate(name, (time, error), textcoords="offset points", xytext=(5, 4), fontsize=8)
     axis.set(xscale="log", yscale="log", title=scene, xlabel="ms per step, at rest", ylabel=label)
     axis.margins(0.25)
+    low, high = axis.get_xlim()
+    axis.set_xlim(low / 1.2, high * 1.6)  # room for the names
+    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.xaxis.set_major_formatter(FormatStrFormatter("%g"))
+    axis.xaxis.set_minor_formatter(NullFormatter())
     axis.grid(visible=True, alpha=0.3)

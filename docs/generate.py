@@ -17,10 +17,13 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parent)]
 
-from reference import commands, materials, quantities, scene, trajectory  # noqa: E402
+from reference import commands, materials, performance, quantities, scene, trajectory  # noqa: E402
 
 PARTS: dict[str, Callable[[], str]] = {
     "commands": commands.as_markdown,
+    "comparison": performance.comparison,
+    "comparison_details": performance.details,
+    "instructions": performance.instructions,
     "materials": materials.as_markdown,
     "quantities": quantities.as_markdown,
     "scene": scene.as_markdown,
