@@ -6,7 +6,8 @@
 
 page.png, of the page in a browser, is left as it is where there is no Chromium, Chrome or Edge.
 
-Plots are made elsewhere: images/integrators.svg by docs/integrators.py, docs/formulas by docs/formulas.py.
+Plots are made elsewhere: images/integrators.svg by docs/integrators.py, docs/formulas by docs/formulas.py,
+images/speed_and_quality.png by python -m benchmarks.
 """
 
 from __future__ import annotations

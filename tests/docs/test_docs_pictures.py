@@ -14,8 +14,8 @@ import pytest
 REPOSITORY = Path(__file__).parents[2]
 IMAGES = REPOSITORY / "docs/images"
 SHOWN = re.compile(r"!\[[^\]]*\]\(([^)]*images/[^)]*)\)")
-PLOTS = {"integrators.svg"}
-"""By docs/integrators.py."""
+PLOTS = {"integrators.svg", "speed_and_quality.png"}
+"""By docs/integrators.py and python -m benchmarks."""
 MOST_BYTES, MOST_BYTES_TOGETHER = 1 << 20, 8 << 20
 
 Image = pytest.importorskip("PIL.Image")
