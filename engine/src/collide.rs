@@ -128,7 +128,7 @@ impl Probe {
             };
             match verdict {
                 Verdict::Answered => {
-                    let (near, points) = (near_depth(geoms, job), self.points.iter());
+                    let (near, points) = (near_depth(geoms, job.geoms), self.points.iter());
                     self.found
                         .extend(points.map(|&point| Found::new(index, near, point)));
                 }
@@ -149,8 +149,7 @@ impl Found {
     }
 }
 
-fn near_depth(geoms: &[Geom], job: &Job) -> f64 {
-    let (a, b) = job.geoms;
+fn near_depth(geoms: &[Geom], (a, b): (u32, u32)) -> f64 {
     -near_margin(&geoms[a as usize], &geoms[b as usize])
 }
 
@@ -264,7 +263,7 @@ impl Detector {
                 &mut self.scratch,
                 &mut self.points,
             );
-            let near = -near_margin(&geoms[a as usize], &geoms[b as usize]);
+            let near = near_depth(geoms, query.geoms);
             self.found.extend(
                 self.points
                     .iter()

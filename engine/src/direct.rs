@@ -18,6 +18,7 @@ use std::collections::BinaryHeap;
 
 use glam::DVec3;
 
+use crate::islands::index;
 use crate::math::length;
 use crate::mover::{Mover, Part};
 use crate::point::Point;
@@ -64,14 +65,20 @@ pub(crate) struct Direct {
 }
 
 impl Direct {
-    /// Can these contacts be solved with at most so many products of blocks? Bodies without a full share of inertia, such
-    /// as thin rods, cannot.
-    pub(crate) fn suits(&mut self, points: &[Point], movers: &[Mover], products: usize) -> bool {
-        self.pattern.load(points, movers, products)
+    /// How many products of blocks a solve of these contacts takes; None for more than `most`. Bodies without a full
+    /// share of inertia, such as thin rods, cannot be solved at all.
+    pub(crate) fn products(
+        &mut self,
+        points: &[Point],
+        movers: &[Mover],
+        most: usize,
+    ) -> Option<usize> {
+        let suits = self.pattern.load(points, movers, most);
+        suits.then_some(self.pattern.products)
     }
 
     /// Push the contacts to where the ones that carry now all reach their targets; impulses may leave their cones.
-    /// Only where it `suits`.
+    /// Only where `products` are known.
     pub(crate) fn solve(&mut self, points: &mut [Point], movers: &mut [Mover], part: Part) {
         self.asked.clear();
         self.asked.extend(points.iter().map(|p| asked_of(p, part)));
@@ -344,12 +351,6 @@ fn merged(a: &[u32], b: &[u32], without: (u32, u32)) -> Vec<u32> {
         }
     }
     out
-}
-
-fn index(k: usize) -> u32 {
-    #[allow(clippy::cast_possible_truncation)]
-    let k = k as u32;
-    k
 }
 
 /// Its inertia can be found from the inverse.

@@ -601,13 +601,12 @@ impl Worker {
     /// others every step, and a dear guess at them is seldom right.
     fn choose_leap(&mut self, system: &System) -> Leap {
         let points = &*system.points;
-        let mut within = |products| self.direct.suits(points, system.movers, products);
-        if within(CHEAP * points.len()) {
-            Leap::Direct { cheap: true }
-        } else if within(patience_for(points) * points.len()) {
-            Leap::Direct { cheap: false }
-        } else {
-            Leap::Never
+        let most = bearable(points) * points.len();
+        match self.direct.products(points, system.movers, most) {
+            Some(products) => Leap::Direct {
+                cheap: products <= CHEAP * points.len(),
+            },
+            None => Leap::Never,
         }
     }
 
@@ -665,12 +664,12 @@ impl Worker {
 
 /// Products of blocks per contact that a direct solve may take: where nine of ten contacts rest, and the others may be
 /// what still settles, what a wall takes; where all rest, what small heaps take, too.
-fn patience_for(points: &[Point]) -> usize {
+fn bearable(points: &[Point]) -> usize {
     let restless = points.iter().filter(|p| !p.quiet).count();
     match restless {
         0 => DEAR,
         _ if 10 * restless <= points.len() => DEAR / 2,
-        _ => 0,
+        _ => CHEAP,
     }
 }
 

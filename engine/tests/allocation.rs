@@ -1,47 +1,18 @@
 //! A step takes no memory once its lists have grown to what the scene needs: counted by the allocator.
 
-// An allocator can be written in no other way; this one hands everything on to the system's.
-#![allow(unsafe_code)]
+#[path = "common/counting.rs"]
+mod counting;
 
 mod common;
-
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 
 use _engine::body::MassProperties;
 use _engine::collide::NoOracle;
 use _engine::integrator::Integrator;
-use _engine::joint::{JointModel, Kind};
 use _engine::shape::Shape;
 use _engine::world::World;
-use common::{add, empty_model};
-use glam::{DMat3, DQuat, DVec3};
-
-thread_local! {
-    static COUNT: Cell<usize> = const { Cell::new(0) };
-}
-
-/// Counts what each thread asks for.
-struct Counting;
-
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.with(|count| count.set(count.get() + 1));
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        COUNT.with(|count| count.set(count.get() + 1));
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
+use common::{add, empty_model, tie_in_a_row};
+use counting::of_this_thread;
+use glam::{DMat3, DVec3};
 
 /// Cubes in pairs, one on the other, with a ball beside each, on a floor.
 fn pairs(integrator: Integrator) -> World {
@@ -72,11 +43,11 @@ fn pairs(integrator: Integrator) -> World {
 }
 
 fn allocations(world: &mut World, steps: usize) -> usize {
-    let before = COUNT.with(Cell::get);
+    let before = of_this_thread();
     for _ in 0..steps {
         world.step(&mut NoOracle).expect("no step fails");
     }
-    COUNT.with(Cell::get) - before
+    of_this_thread() - before
 }
 
 #[test]
@@ -122,23 +93,7 @@ fn a_chain_that_swings_takes_no_memory() {
         let mass = MassProperties::new(1.0, inertia);
         add(&mut model, Shape::Box { half }, place, mass);
     }
-    let (first, last) = (DVec3::new(-1.5, 0.0, 0.0), DVec3::new(1.5, 0.0, 0.0));
-    for k in 0..10 {
-        let (upper, anchor) = if k == 0 {
-            (10, DVec3::ZERO)
-        } else {
-            (k - 1, last)
-        };
-        model.joints.push(JointModel {
-            kind: Kind::Ball,
-            bodies: [upper, k],
-            anchors: [anchor, first],
-            frames: [DQuat::IDENTITY; 2],
-            damping: 0.0,
-            break_force: f64::INFINITY,
-            break_torque: f64::INFINITY,
-        });
-    }
+    tie_in_a_row(&mut model, DVec3::X * 1.5);
     let mut world = World::new(model);
     allocations(&mut world, 240);
     assert_eq!(allocations(&mut world, 240), 0);

@@ -5,12 +5,11 @@ mod common;
 use _engine::body::{MassProperties, State};
 use _engine::collide::NoOracle;
 use _engine::integrator::Integrator;
-use _engine::joint::{JointModel, Kind};
 use _engine::model::{Geom, Model};
 use _engine::shape::Shape;
 use _engine::world::World;
-use common::{empty_model, G};
-use glam::{DMat3, DQuat, DVec3};
+use common::{empty_model, tie_in_a_row, G};
+use glam::{DMat3, DVec3};
 
 /// Elastic and smooth, with located impacts.
 fn model(integrator: Integrator, timestep: f64) -> Model {
@@ -32,18 +31,6 @@ fn add_ball(model: &mut Model, radius: f64, position: DVec3) {
         .push((MassProperties::new(1.0, inertia), state, DVec3::ZERO));
 }
 
-fn ball_joint(bodies: [usize; 2], anchors: [DVec3; 2]) -> JointModel {
-    JointModel {
-        kind: Kind::Ball,
-        bodies,
-        anchors,
-        frames: [DQuat::IDENTITY; 2],
-        damping: 0.0,
-        break_force: f64::INFINITY,
-        break_torque: f64::INFINITY,
-    }
-}
-
 /// Balls in a row along x, each tied to the one before, the first to the world's origin.
 fn chain(links: usize, spacing: f64, integrator: Integrator, timestep: f64) -> World {
     let mut model = model(integrator, timestep);
@@ -53,15 +40,7 @@ fn chain(links: usize, spacing: f64, integrator: Integrator, timestep: f64) -> W
         let place = DVec3::X * (spacing * (k as f64 + 0.5));
         add_ball(&mut model, 0.2 * spacing, place);
     }
-    for k in 0..links {
-        // The world is the body behind the last one.
-        let (before, anchor) = if k == 0 {
-            (links, DVec3::ZERO)
-        } else {
-            (k - 1, half)
-        };
-        model.joints.push(ball_joint([before, k], [anchor, -half]));
-    }
+    tie_in_a_row(&mut model, half);
     World::new(model)
 }
 

@@ -1,43 +1,17 @@
 //! Threads take no memory either once lists have grown to what the scene needs: counted in the whole process.
 
-// An allocator can be written in no other way; this one hands everything on to the system's.
-#![allow(unsafe_code)]
+#[path = "common/counting.rs"]
+mod counting;
 
 mod common;
-
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use _engine::body::MassProperties;
 use _engine::collide::NoOracle;
 use _engine::shape::Shape;
 use _engine::world::World;
 use common::{add, empty_model};
+use counting::of_all_threads;
 use glam::{DMat3, DVec3};
-
-static COUNT: AtomicUsize = AtomicUsize::new(0);
-
-/// Counts what all threads ask for.
-struct Counting;
-
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        COUNT.fetch_add(1, Ordering::Relaxed);
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        COUNT.fetch_add(1, Ordering::Relaxed);
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 /// Eighty stacks of four cubes on a floor.
 fn stacks() -> World {
@@ -75,8 +49,8 @@ fn what_rests_takes_no_memory_on_threads() {
     let mut world = stacks();
     world.set_threads(2);
     advance(&mut world, 480);
-    let before = COUNT.load(Ordering::Relaxed);
+    let before = of_all_threads();
     advance(&mut world, 240);
-    let taken = COUNT.load(Ordering::Relaxed) - before;
+    let taken = of_all_threads() - before;
     assert!(taken <= 2, "{taken} allocations in 240 steps");
 }

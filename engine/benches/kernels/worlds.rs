@@ -3,14 +3,13 @@
 use _engine::body::{MassProperties, State};
 use _engine::collide::NoOracle;
 use _engine::integrator::Integrator;
-use _engine::joint::{JointModel, Kind};
-use _engine::model::{Geom, Model};
+use _engine::model::Model;
 use _engine::shape::Shape;
 use _engine::world::World;
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DMat3, DVec3};
 
 use super::{Kernel, Random};
-use crate::common::empty_model;
+use crate::common::{add, empty_model, tie_in_a_row};
 
 const TIMESTEP: f64 = 1.0 / 240.0;
 const STEPS: usize = 10;
@@ -59,26 +58,12 @@ fn ball(radius: f64) -> (Shape, MassProperties) {
     (Shape::Sphere { radius }, MassProperties::new(mass, inertia))
 }
 
-fn add(model: &mut Model, (shape, mass): (Shape, MassProperties), state: State) {
-    model.geoms.push(Geom {
-        body: model.bodies.len(),
-        shape,
-        position: DVec3::ZERO,
-        rotation: DMat3::IDENTITY,
-        material: 0,
-    });
-    model.bodies.push((mass, state, DVec3::ZERO));
+fn put(model: &mut Model, (shape, mass): (Shape, MassProperties), place: DVec3) -> usize {
+    add(model, shape, place, mass)
 }
 
-fn at(position: DVec3) -> State {
-    State {
-        position,
-        ..State::default()
-    }
-}
-
-fn stand(model: &mut Model, shape: Shape, position: DVec3) {
-    add(model, (shape, MassProperties::fixed()), at(position));
+fn stand(model: &mut Model, shape: Shape, place: DVec3) {
+    add(model, shape, place, MassProperties::fixed());
 }
 
 /// Cell k of a grid that is `across` wide and deep.
@@ -93,13 +78,11 @@ fn free(integrator: Integrator) -> World {
     model.forces.gravity = DVec3::ZERO;
     let mut random = Random(3);
     for k in 0..1000 {
-        let spin = DVec3::Y + 0.1 * random.point();
-        let state = State {
-            velocity: random.point(),
-            angular_momentum: spin,
-            ..at(4.0 * cell(k, 10))
-        };
-        add(&mut model, cuboid(DVec3::new(0.1, 0.2, 0.3)), state);
+        let half = DVec3::new(0.1, 0.2, 0.3);
+        let body = put(&mut model, cuboid(half), 4.0 * cell(k, 10));
+        let state = &mut model.bodies[body].1;
+        state.angular_momentum = DVec3::Y + 0.1 * random.point();
+        state.velocity = random.point();
     }
     World::new(model)
 }
@@ -109,7 +92,7 @@ fn columns() -> World {
     stand(&mut model, Shape::HalfSpace, DVec3::ZERO);
     for k in 0..100 {
         let place = DVec3::new(1.5 * f64::from(k / 10), 0.0, 0.5 + f64::from(k % 10));
-        add(&mut model, cuboid(DVec3::splat(0.5)), at(place));
+        put(&mut model, cuboid(DVec3::splat(0.5)), place);
     }
     World::new(model)
 }
@@ -121,7 +104,7 @@ fn wall() -> World {
         for k in 0..10 - row {
             let x = 1.05 * (f64::from(k) - 0.5 * f64::from(9 - row));
             let place = DVec3::new(x, 0.0, 0.5 + f64::from(row));
-            add(&mut model, cuboid(DVec3::splat(0.5)), at(place));
+            put(&mut model, cuboid(DVec3::splat(0.5)), place);
         }
     }
     World::new(model)
@@ -140,7 +123,7 @@ fn heap() -> World {
     let mut random = Random(4);
     for k in 0..125 {
         let place = 0.22 * (cell(k, 5) - DVec3::new(2.0, 2.0, -1.0)) + 0.02 * random.point();
-        add(&mut model, ball(0.1), at(place));
+        put(&mut model, ball(0.1), place);
     }
     World::new(model)
 }
@@ -153,24 +136,12 @@ fn chain() -> World {
     let half = DVec3::X * (0.5 * PITCH);
     for k in 0..LINKS {
         let (_, mass) = cuboid(DVec3::new(0.5 * PITCH, 0.02, 0.02));
-        let place = DVec3::X * (PITCH * (f64::from(k) + 0.5));
-        model.bodies.push((mass, at(place), DVec3::ZERO));
-    }
-    for k in 0..LINKS as usize {
-        // The world is the body behind the last one.
-        let (before, anchor) = match k {
-            0 => (LINKS as usize, DVec3::ZERO),
-            _ => (k - 1, half),
+        let state = State {
+            position: DVec3::X * (PITCH * (f64::from(k) + 0.5)),
+            ..State::default()
         };
-        model.joints.push(JointModel {
-            kind: Kind::Ball,
-            bodies: [before, k],
-            anchors: [anchor, -half],
-            frames: [DQuat::IDENTITY; 2],
-            damping: 0.0,
-            break_force: f64::INFINITY,
-            break_torque: f64::INFINITY,
-        });
+        model.bodies.push((mass, state, DVec3::ZERO));
     }
+    tie_in_a_row(&mut model, half);
     World::new(model)
 }

@@ -3,6 +3,7 @@
 use _engine::body::{MassProperties, State};
 use _engine::force::ForceModel;
 use _engine::integrator::Integrator;
+use _engine::joint::{JointModel, Kind};
 use _engine::model::{Coefficients, Geom, Model, PairTable, Settings, Stabilization};
 use _engine::shape::Shape;
 use glam::{DMat3, DQuat, DVec3};
@@ -66,4 +67,27 @@ pub fn add(model: &mut Model, shape: Shape, position: DVec3, mass: MassPropertie
     });
     model.bodies.push((mass, state, DVec3::ZERO));
     body
+}
+
+/// Ball joints that tie each body, `half` of its own length behind its centre, to the end of the one before, and the
+/// first to the world's origin.
+#[allow(dead_code)] // not every test has joints
+pub fn tie_in_a_row(model: &mut Model, half: DVec3) {
+    let bodies = model.bodies.len();
+    for k in 0..bodies {
+        // The world is the body behind the last one.
+        let (before, anchor) = match k {
+            0 => (bodies, DVec3::ZERO),
+            _ => (k - 1, half),
+        };
+        model.joints.push(JointModel {
+            kind: Kind::Ball,
+            bodies: [before, k],
+            anchors: [anchor, -half],
+            frames: [DQuat::IDENTITY; 2],
+            damping: 0.0,
+            break_force: f64::INFINITY,
+            break_torque: f64::INFINITY,
+        });
+    }
 }
