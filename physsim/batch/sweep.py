@@ -135,7 +135,7 @@ class _Conductor:
         manifest = manifests.manifest_of(self._sweep, self._job, cluster or f"{count} local workers")
         manifests.write(self._folder, manifest)
         signal = None
-        with StopRequest() as stop:
+        with StopRequest.heard() as stop:
             if self._missing:
                 self._work(min(count, len(self._missing)), cluster, stop)
             signal = stop.signal

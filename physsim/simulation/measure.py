@@ -26,12 +26,11 @@ class Measure:
         record, mechanics = model.spec.record, model.mechanics
         self._center = np.asarray(model.center_of_mass)
         self._timestep = float(model.spec.simulation.timestep)
-        self._contacts = bool(record.contacts)
         # The engine's joints are those of the scene and then the stops of springs, which are not recorded.
         self.frames = Frames(
             momentum=True,
             energy=bool(record.energy),
-            contacts=self._contacts,
+            contacts=bool(record.contacts),
             joints=len(mechanics.joints.names) if record.joints else 0,
             springs=bool(record.joints and mechanics.springs.names),
         )

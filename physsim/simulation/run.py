@@ -113,7 +113,7 @@ def _simulate(
     )
     if onlooker is not None:
         _tell_who_takes_part(onlooker, prepared)
-    with StopRequest() as stop:
+    with StopRequest.heard() as stop:
         ending = _ending(loop, stop, recorder, prepared.model)
         engine = None if ending.status == "failed" else loop.checkpoint()
         took = loop.wall_time + (found.wall_time if found else 0.0)

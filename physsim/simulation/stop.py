@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import signal
-import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from types import FrameType
-from typing import Any, Self
+from typing import Self
 
 from physsim.errors import PhyssimError
-
-SIGNALS = (signal.SIGINT, signal.SIGTERM)
+from physsim.signals import handled
 
 
 class Interrupted(PhyssimError):
@@ -21,24 +21,22 @@ class Interrupted(PhyssimError):
 
 
 class StopRequest:
-    """While open, SIGINT and SIGTERM set `signal` instead of ending the process.
+    """Has somebody asked to stop? `signal` is the signal that did, None as long as there was none.
 
     Nothing is raised where a signal arrives: that could be half-way through a step (in the FCL callback) or a
-    write. Handlers are only set in the main thread, where Python allows it, and restored at the end.
+    write.
     """
 
     def __init__(self) -> None:
         self.signal: signal.Signals | None = None
-        self._before: dict[signal.Signals, Any] = {}
 
-    def __enter__(self) -> Self:
-        if threading.current_thread() is threading.main_thread():
-            self._before = {number: signal.signal(number, self._note) for number in SIGNALS}
-        return self
+    @classmethod
+    @contextmanager
+    def heard(cls) -> Iterator[Self]:
+        """While open, SIGINT and SIGTERM are noted here instead of ending the process."""
+        stop = cls()
+        with handled(stop._note):
+            yield stop
 
-    def __exit__(self, *_: object) -> None:
-        for number, handler in self._before.items():
-            signal.signal(number, handler)
-
-    def _note(self, number: int, frame: FrameType | None) -> None:
+    def _note(self, number: int, _: FrameType | None) -> None:
         self.signal = signal.Signals(number)

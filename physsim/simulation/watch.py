@@ -100,7 +100,7 @@ def watch(scene: Scene, model: Model, wanted: Wanted) -> Watched:
         recorder=memory,
         report=Throttle(None),
     )
-    with StopRequest() as stop:
+    with StopRequest.heard() as stop:
         ending = loop.run_to_its_end(stop, model.body_names)
     if ending.status == "interrupted":
         raise Interrupted(ending.detail)
