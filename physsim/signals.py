@@ -16,7 +16,7 @@ def handled(by: Callable[[int, FrameType | None], object]) -> Iterator[None]:
     """While open, SIGINT and SIGTERM call `by`; the handlers that were there come back at the end.
 
     This also holds where a shell has started us with SIGINT ignored, as it does in the background: otherwise
-    nobody could end us but by a kill. Outside the main thread nothing is changed: Python allows it only there.
+    nobody could end us but by a kill. Outside the main thread nothing changes: Python allows it only there.
     """
     here = threading.current_thread() is threading.main_thread()
     before = {number: signal.signal(number, by) for number in SIGNALS} if here else {}
