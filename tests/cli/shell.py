@@ -6,6 +6,8 @@ import os
 import pty
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[2]
@@ -19,18 +21,41 @@ def clean_environment(**more: str) -> dict[str, str]:
     return kept | {"PYTHONPATH": str(REPOSITORY)} | more
 
 
+@contextmanager
+def running(
+    command: list[str],
+    folder: Path,
+    *,
+    stdout: int = subprocess.PIPE,
+    stderr: int = subprocess.PIPE,
+    **environment: str,
+) -> Iterator[subprocess.Popen[str]]:
+    """A command in a process of its own, killed at the end if it is still there."""
+    with subprocess.Popen(
+        command,
+        cwd=folder,
+        env=clean_environment(**environment),
+        stdin=subprocess.DEVNULL,
+        stdout=stdout,
+        stderr=stderr,
+        text=True,
+    ) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def deaf_to_ctrl_c(command: list[str]) -> list[str]:
+    """The command, started as a shell starts what runs in the background: with SIGINT ignored."""
+    return ["/bin/sh", "-c", "trap '' INT; exec \"$@\"", "-", *command]
+
+
 def on_a_terminal(arguments: list[str], folder: Path, **environment: str) -> tuple[str, str]:
     """stdout, in a pipe, and what a terminal behind stderr got to see."""
     master, slave = pty.openpty()
-    with subprocess.Popen(
-        [*PHYSSIM, *arguments],
-        cwd=folder,
-        env=clean_environment(**{"TERM": "xterm-256color"} | environment),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=slave,
-        text=True,
-    ) as child:
+    environment = {"TERM": "xterm-256color"} | environment
+    with running([*PHYSSIM, *arguments], folder, stderr=slave, **environment) as child:
         os.close(slave)
         seen = read_until_closed(master)
         out, _ = child.communicate(timeout=60)

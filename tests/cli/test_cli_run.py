@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
-from shell import PHYSSIM, clean_environment, on_a_terminal
+from shell import PHYSSIM, clean_environment, on_a_terminal, running
 
 from physsim import open_trajectory
 
@@ -136,20 +136,13 @@ def run_and_signal(folder: Path, number: signal.Signals, *arguments: str) -> sub
     """Start a run that would take minutes, send a signal once its file is there, and wait for its end."""
     scene = folder / "long.yaml"
     scene.write_text(FALL.replace("duration: 200 ms", "duration: 1000 h").partition("expect:")[0])
-    child = subprocess.Popen(
-        [*PHYSSIM, "run", "long.yaml", "--set", "record.every=1 s", *arguments],
-        cwd=folder,
-        env=clean_environment(),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    deadline = time.monotonic() + 60
-    while not (folder / "long.h5").exists() and time.monotonic() < deadline and child.poll() is None:
-        time.sleep(0.02)
-    child.send_signal(number)
-    out, err = child.communicate(timeout=60)
+    command = [*PHYSSIM, "run", "long.yaml", "--set", "record.every=1 s", *arguments]
+    with running(command, folder) as child:
+        deadline = time.monotonic() + 60
+        while not (folder / "long.h5").exists() and time.monotonic() < deadline and child.poll() is None:
+            time.sleep(0.02)
+        child.send_signal(number)
+        out, err = child.communicate(timeout=60)
     return subprocess.CompletedProcess(child.args, child.returncode, out, err)
 
 

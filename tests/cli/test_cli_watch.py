@@ -14,11 +14,10 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
-from shell import PHYSSIM, clean_environment
+from shell import PHYSSIM, deaf_to_ctrl_c, running
 
 from physsim import open_trajectory
 from physsim.view.live import process as live_process
@@ -36,6 +35,7 @@ expect:
 ENDLESS = SCENE.replace("duration: 200 ms", "duration: 100000 s").partition("expect")[0]
 ADDRESS = re.compile(r"watch it at (http://127\.0\.0\.1:(\d+)/[\w-]{22}/)\r?\n")
 PATIENCE = 60
+RUN = [*PHYSSIM, "run"]
 
 
 @pytest.fixture(autouse=True)
@@ -59,24 +59,6 @@ def is_gone(address: str) -> bool:
     except urllib.error.URLError as error:
         return isinstance(error.reason, ConnectionError)
     return False
-
-
-@contextmanager
-def running(folder: Path, *arguments: str, **environment: str) -> Iterator[subprocess.Popen[str]]:
-    """`physsim run` in a process of its own, killed at the end if it is still there."""
-    with subprocess.Popen(
-        [*PHYSSIM, "run", *arguments],
-        cwd=folder,
-        env=clean_environment(**environment),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        try:
-            yield process
-        finally:
-            process.kill()
 
 
 def address_of(process: subprocess.Popen[str]) -> str:
@@ -178,7 +160,7 @@ class TestTroubles:
 
 class TestEnds:
     def test_ctrl_c_keeps_what_was_computed_and_pages_know(self, tmp_path: Path) -> None:
-        with running(tmp_path, "endless.yaml", "--watch", "--quiet") as process:
+        with running([*RUN, "endless.yaml", "--watch", "--quiet"], tmp_path) as process:
             address = address_of(process)
             messages = stream(address)
             assert next(messages).kind == "frame"
@@ -194,15 +176,16 @@ class TestEnds:
             assert trajectory.frames == last.facts["frame"] + 1
 
     def test_it_goes_on_with_resume(self, tmp_path: Path) -> None:
-        with running(tmp_path, "fall.yaml", "--duration", "100 ms", "--set", "expect=[]") as process:
+        with running([*RUN, "fall.yaml", "--duration", "100 ms", "--set", "expect=[]"], tmp_path) as process:
             assert process.wait(PATIENCE) == 0
-        with running(tmp_path, "fall.yaml", "--resume", "--duration", "100000 s", "--watch") as process:
+        command = [*RUN, "fall.yaml", "--resume", "--duration", "100000 s", "--watch"]
+        with running(command, tmp_path) as process:
             assert next(stream(address_of(process))).facts["frame"] == 11
             process.send_signal(signal.SIGTERM)
             assert process.wait(PATIENCE) == 130
 
     def test_the_server_of_a_run_that_is_killed_leaves(self, tmp_path: Path) -> None:
-        with running(tmp_path, "endless.yaml", "--watch", "--quiet") as process:
+        with running([*RUN, "endless.yaml", "--watch", "--quiet"], tmp_path) as process:
             address = address_of(process)
             messages = stream(address)
             next(messages)
@@ -214,26 +197,18 @@ class TestEnds:
     def test_on_a_terminal_the_page_stays_until_ctrl_c(self, tmp_path: Path, number: signal.Signals) -> None:
         """Also where a shell has started it with SIGINT ignored."""
         master, slave = pty.openpty()
-        with subprocess.Popen(
-            ["/bin/sh", "-c", "trap '' INT; exec \"$@\"", "-", *PHYSSIM, "run", "fall.yaml", "--watch"],
-            cwd=tmp_path,
-            env=clean_environment(TERM="xterm-256color"),
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.DEVNULL,
-            stderr=slave,
-        ) as process:
+        command = deaf_to_ctrl_c([*RUN, "fall.yaml", "--watch"])
+        silent = subprocess.DEVNULL
+        with running(command, tmp_path, stdout=silent, stderr=slave, TERM="xterm-256color") as process:
             os.close(slave)
-            try:
-                seen = ""
-                while "until Ctrl-C" not in seen:
-                    seen += os.read(master, 65536).decode()
-                found = ADDRESS.search(seen)
-                assert found
-                *_, last, end = stream(found[1])
-                process.send_signal(number)
-                assert process.wait(PATIENCE) == 0
-            finally:
-                process.kill()
+            seen = ""
+            while "until Ctrl-C" not in seen:
+                seen += os.read(master, 65536).decode()
+            found = ADDRESS.search(seen)
+            assert found
+            *_, last, end = stream(found[1])
+            process.send_signal(number)
+            assert process.wait(PATIENCE) == 0
         os.close(master)
         assert (last.facts["frame"], end.facts["status"]) == (20, "complete")
         assert is_gone(found[1])
@@ -249,8 +224,9 @@ def test_a_browser_is_opened_where_there_is_a_display(tmp_path: Path) -> None:
         "open('seen.part', 'w').write(f'{sys.argv[1]} {page[:15].decode()} {b\"complete\" in frames}')\n"
         "import os; os.rename('seen.part', 'seen.txt')\n"
     )
-    command = f"{sys.executable} {browser} %s"
-    with running(tmp_path, "fall.yaml", "--watch", "--quiet", DISPLAY=":99", BROWSER=command) as process:
+    opening = f"{sys.executable} {browser} %s"
+    command = [*RUN, "fall.yaml", "--watch", "--quiet"]
+    with running(command, tmp_path, DISPLAY=":99", BROWSER=opening) as process:
         address = address_of(process)
         assert process.wait(PATIENCE) == 0
         for _ in range(600):
@@ -264,23 +240,12 @@ def test_a_browser_is_opened_where_there_is_a_display(tmp_path: Path) -> None:
 def test_a_served_page_ends_when_it_is_told_to(physsim, tmp_path: Path, number: signal.Signals) -> None:
     """Also where a shell has started it with SIGINT ignored."""
     assert physsim("run", "fall.yaml").code == 0
-    with subprocess.Popen(
-        ["/bin/sh", "-c", "trap '' INT; exec \"$@\"", "-", *PHYSSIM, "view", "fall.h5", "--serve"],
-        cwd=tmp_path,
-        env=clean_environment(),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    ) as process:
-        try:
-            assert process.stdout is not None
-            address = process.stdout.readline().strip()
-            assert process.stderr is not None
-            assert process.stderr.readline() == "The page stays until Ctrl-C.\n"
-            assert not is_gone(address)
-            process.send_signal(number)
-            assert process.wait(PATIENCE) == 0
-        finally:
-            process.kill()
+    with running(deaf_to_ctrl_c([*PHYSSIM, "view", "fall.h5", "--serve"]), tmp_path) as process:
+        assert process.stdout is not None
+        address = process.stdout.readline().strip()
+        assert process.stderr is not None
+        assert process.stderr.readline() == "The page stays until Ctrl-C.\n"
+        assert not is_gone(address)
+        process.send_signal(number)
+        assert process.wait(PATIENCE) == 0
     assert is_gone(address)
