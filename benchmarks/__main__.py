@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 from benchmarks.cell import Request
 from benchmarks.peers import PEERS
@@ -63,10 +64,10 @@ def machine() -> dict[str, str]:
     }
 
 
-def measure(asked: argparse.Namespace) -> dict[str, object]:
+def measure(asked: argparse.Namespace) -> dict[str, Any]:
     """Everything measured, told on stderr as it comes and written after every cell."""
     rows: list[Row] = []
-    result: dict[str, object] = {"machine": machine(), "rows": rows}
+    result: dict[str, Any] = {"machine": machine(), "rows": rows}
     for row in played(requests(asked), asked.rounds):
         rows.append(row)
         speed = row.get("unable") or [row.get(k) for k in ("busy", "rest", "world_steps") if row.get(k)]

@@ -80,8 +80,8 @@ def _run(
         if time.perf_counter() - began > request.limit:
             break
     ends = (np.arange(len(took)) + 1) * size * request.timestep
-    columns = {name: np.array([s[k] for s in samples]) for k, name in enumerate("xqvw")}
-    np.savez(states, time=ends, **columns)
+    x, q, v, w = (np.array(column) for column in zip(*samples, strict=True))
+    np.savez(states, time=ends, x=x, q=q, v=v, w=w)
     return {
         "busy": _median(took, ends, scene.busy),
         "rest": _median(took, ends, scene.rest) if len(took) == blocks else None,

@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+from typing import Any
 
 ENGINE = Path(__file__).parent.parent / "engine"
 RECORD = Path(__file__).with_suffix(".json")
@@ -30,7 +31,8 @@ def main() -> int:
     asked = parser.parse_args()
     compiler = _said("rustc", "--version")
     counts = counted()
-    record = json.loads(RECORD.read_text()) if RECORD.exists() else {"compiler": compiler, "counts": {}}
+    nothing: dict[str, Any] = {"compiler": compiler, "counts": {}}
+    record = json.loads(RECORD.read_text()) if RECORD.exists() else nothing
     print(table(counts, record["counts"]))
     if asked.record:
         RECORD.write_text(json.dumps({"compiler": compiler, "counts": counts}, indent=1) + "\n")

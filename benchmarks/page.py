@@ -15,6 +15,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -116,7 +117,7 @@ def main() -> None:
         folder.mkdir(parents=True, exist_ok=True)
         for name, scene in RECORDINGS.items():
             recording = recorded(folder, name, scene)
-            build, page = timed(lambda recording=recording: built(recording))
+            build, page = timed(partial(built, recording))
             with started(program) as browser:
                 print(
                     f"{name}: file {megabytes(recording)}, page {megabytes(page)} in {build:.1f} s, "

@@ -12,6 +12,8 @@ import numpy as np
 from benchmarks.bodies import mass_and_inertia
 from benchmarks.scene import ORIGIN, Ball, Body, Floats, Obstacle, Quaternion, Scene, Vector
 
+Shape = tuple[str, tuple[float, ...]]
+
 
 def _vector(values: Floats) -> Vector:
     x, y, z = (float(v) for v in values)
@@ -82,8 +84,8 @@ def columns(side: int = 10, height: int = 10) -> Scene:
 
 def mixed(count: int) -> Scene:
     """Balls, cubes and capsules, turned at random, fall onto open ground."""
-    across = round(count ** (1 / 3))
-    shapes = [("sphere", (0.1,)), ("box", (0.1, 0.1, 0.1)), ("capsule", (0.07, 0.1))]
+    across: int = round(count ** (1 / 3))
+    shapes: list[Shape] = [("sphere", (0.1,)), ("box", (0.1, 0.1, 0.1)), ("capsule", (0.07, 0.1))]
     places, turns = _grid(count, across, 0.4, 0.4, seed=3), _turns(count, seed=33)
     bodies = [
         Body(*shapes[(i + i // across) % 3], place, turn)
@@ -139,8 +141,8 @@ def loaded_chain(links: int, ratio: float) -> Scene:
 
 
 def _chained(name: str, bodies: list[Body], joints: list[Ball]) -> Scene:
-    windows: dict[str, tuple[float, float]] = {"busy": (0.5, 1.5), "rest": (2.5, 3.0)}
-    return Scene(name, tuple(bodies), (), tuple(joints), collides=False, duration=3.0, **windows)
+    busy, rest = (0.5, 1.5), (2.5, 3.0)
+    return Scene(name, tuple(bodies), (), tuple(joints), collides=False, duration=3.0, busy=busy, rest=rest)
 
 
 def free(count: int) -> Scene:
@@ -159,17 +161,19 @@ def free(count: int) -> Scene:
         )
         for i in range(count)
     ]
-    windows: dict[str, tuple[float, float]] = {"busy": (0.0, 1.0), "rest": (1.0, 2.0)}
-    return Scene(f"free{count}", tuple(bodies), gravity=0.0, collides=False, duration=2.0, **windows)
+    busy, rest = (0.0, 1.0), (1.0, 2.0)
+    name = f"free{count}"
+    return Scene(name, tuple(bodies), gravity=0.0, collides=False, duration=2.0, busy=busy, rest=rest)
 
 
 def small() -> Scene:
     """Five cubes and five balls fall onto the ground: what a batch repeats."""
     random = np.random.default_rng(0)
     shift = random.uniform(-0.03, 0.03, (10, 2))
+    shapes: list[Shape] = [("sphere", (0.1,)), ("box", (0.1, 0.1, 0.1))]
     bodies = [
         Body(
-            *(("box", (0.1, 0.1, 0.1)) if i % 2 else ("sphere", (0.1,))),
+            *shapes[i % 2],
             (0.22 * (i % 3) + float(shift[i, 0]), 0.22 * (i // 3 % 3) + float(shift[i, 1]), 0.3 + 0.25 * i),
         )
         for i in range(10)

@@ -6,11 +6,12 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from physsim.batch import sweep
+    # From their own modules: `run` and `sweep` are names of modules, too, and mypy takes them for those.
+    from physsim.batch.sweep import sweep
     from physsim.recording import Trajectory, open_trajectory
     from physsim.scene import Scene
     from physsim.scene import load_scene as load
-    from physsim.simulation import run
+    from physsim.simulation.run import run
 
 __version__ = "0.1.0"
 __all__ = ["Scene", "Trajectory", "load", "open_trajectory", "run", "sweep"]

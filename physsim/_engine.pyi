@@ -67,9 +67,9 @@ class World:
     def collide_pair(
         self,
         geom_a: int,
-        pose_a: list[float],
+        pose_a: Sequence[float] | _Floats,
         geom_b: int,
-        pose_b: list[float],
+        pose_b: Sequence[float] | _Floats,
         margin: float,
         answer: _Answer | None = None,
     ) -> dict[str, npt.NDArray[Any]]: ...

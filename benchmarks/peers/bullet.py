@@ -32,7 +32,8 @@ class World:
     ) -> None:
         if threads > 1:
             raise Unable("pybullet steps on one thread")
-        self._scene, self._shapes = scene, {}
+        self._scene = scene
+        self._shapes: dict[Any, int] = {}
         self._here = {"physicsClientId": bullet.connect(bullet.DIRECT)}
         bullet.setGravity(0, 0, -scene.gravity, **self._here)
         bullet.setTimeStep(timestep, **self._here)

@@ -55,7 +55,8 @@ class World:
     def __init__(
         self, scene: Scene, timestep: float, threads: int = 1, slop: float = 0.02, sweeps: int = 10
     ) -> None:
-        self._scene, self._timestep, self._shapes = scene, timestep, {}
+        self._scene, self._timestep = scene, timestep
+        self._shapes: dict[Any, Any] = {}
         count = len(scene.bodies)
         self._memory = lib.JPH_TempAllocator_Create((64 if count < 2000 else 512) << 20)
         self._jobs = lib.JPH_JobSystemThreadPool_Create(

@@ -81,7 +81,7 @@ class World:
 def described(scene: Scene, options: dict[str, str]) -> str:
     """The scene as MJCF."""
     root = Xml.Element("mujoco")
-    Xml.SubElement(root, "option", gravity=_told((0, 0, -scene.gravity)), **options)
+    Xml.SubElement(root, "option", options, gravity=_told((0, 0, -scene.gravity)))
     Xml.SubElement(root, "size", memory="2G")
     Xml.SubElement(Xml.SubElement(root, "default"), "geom", friction=_told((scene.friction, 0.005, 1e-4)))
     if scene.hull is not None:
@@ -123,7 +123,7 @@ def _add(parent: Any, scene: Scene, k: int, joint: Ball | None, children: dict[i
     else:
         anchor = rotated(conjugate(np.array(body.orientation)), np.subtract(joint.anchor, body.position))
         Xml.SubElement(node, "joint", type="ball", pos=_told(anchor))
-    Xml.SubElement(node, "geom", density=_told(body.density), **_shape(body, scene))
+    Xml.SubElement(node, "geom", _shape(body, scene), density=_told(body.density))
     for below in children.get(k, []):
         _add(node, scene, below.child, below, children)
 

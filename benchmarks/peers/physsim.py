@@ -86,7 +86,7 @@ def described(scene: Scene, simulation: dict[str, Any]) -> str:
 def _moving(body: Body, scene: Scene) -> dict[str, Any]:
     """With what is not as it is anyway."""
     shape = _shape(body.kind, body.size, scene)
-    told = {"shape": shape, "material": "stuff", "position": list(body.position)}
+    told: dict[str, Any] = {"shape": shape, "material": "stuff", "position": list(body.position)}
     if body.density != DENSITY:
         told["density"] = body.density
     if body.orientation != (1.0, 0.0, 0.0, 0.0):
