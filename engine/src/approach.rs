@@ -79,7 +79,7 @@ pub struct Approach {
 }
 
 impl Approach {
-    /// Fill `out` with the contacts of the step, in the order of the jobs.
+    /// Fill `out` with the contacts of the step, in the order of the jobs. Returns whether any may be hit within it.
     ///
     /// # Errors
     /// The oracle's message.
@@ -90,7 +90,7 @@ impl Approach {
         detector: &mut Detector,
         oracle: &mut dyn Oracle,
         out: &mut Vec<Contact>,
-    ) -> Result<(), String> {
+    ) -> Result<bool, String> {
         std::mem::swap(&mut self.first, &mut detector.found);
         let found = &self.first;
         // Contacts of the step before are written over.
@@ -111,7 +111,7 @@ impl Approach {
         if !self.pursuits.is_empty() {
             self.pursue(start, jobs, detector, oracle, out)?;
         }
-        Ok(())
+        Ok(self.touches.iter().any(|instant| instant.is_finite()))
     }
 
     /// Follow all pursuits together, so that the oracle is asked once a round.

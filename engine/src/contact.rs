@@ -4,10 +4,11 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
-use crate::math::{length, tangents};
+use crate::math::length;
 use crate::model::{Coefficients, Geom};
 use crate::mover::Moving;
 use crate::narrowphase::ContactPoint;
+use crate::response::{response, Principal};
 use crate::roll::Roll;
 use crate::team::{both, fill, HANDFUL};
 
@@ -28,8 +29,6 @@ pub struct Contact {
     pub geoms: (u32, u32),
     /// Bodies in contact.
     pub bodies: (usize, usize),
-    /// Materials in contact.
-    pub materials: (usize, usize),
     /// Midway between the surfaces [m].
     pub position: DVec3,
     /// From B to A.
@@ -88,25 +87,10 @@ pub fn relative_velocity(
     moving[pair.0].twist().at(arms.0) - moving[pair.1].twist().at(arms.1)
 }
 
-/// K d: the relative velocity that a unit impulse along `d` gives,
-/// (1/m_A + 1/m_B) d + (I_A^-1 (r_A x d)) x r_A + (I_B^-1 (r_B x d)) x r_B. Fixed bodies do not turn.
-fn response(a: &Body, b: &Body, arms: (DVec3, DVec3), d: DVec3) -> DVec3 {
-    let turn = |body: &Body, r: DVec3| (body.inverse_inertia * r.cross(d)).cross(r);
-    let mut given = d * (a.mass.inverse_mass + b.mass.inverse_mass);
-    if !a.is_fixed() {
-        given += turn(a, arms.0);
-    }
-    if !b.is_fixed() {
-        given += turn(b, arms.1);
-    }
-    given
-}
-
 /// Two geoms that meet: what all their contact points share.
 pub struct Meeting<'a> {
     geoms: (u32, u32),
     indices: (usize, usize),
-    materials: (usize, usize),
     bodies: (&'a Body, &'a Body),
     centres: (DVec3, DVec3),
     coefficients: Coefficients,
@@ -129,7 +113,6 @@ impl<'a> Meeting<'a> {
         Self {
             geoms,
             indices: (a.body, b.body),
-            materials: (a.material, b.material),
             bodies: both,
             centres,
             coefficients,
@@ -145,14 +128,12 @@ impl<'a> Meeting<'a> {
             point.position - self.centres.0,
             point.position - self.centres.1,
         );
-        let k_n = response(a, b, arms, point.normal);
-        let (tangent_1, tangent_2, k_tangent) =
-            principal_tangents(point.normal, |d| response(a, b, arms, d));
+        let Principal { axes, k, coupling } = Principal::of(&response(a, b, arms), point.normal);
+        let (tangent_1, tangent_2) = (axes.y_axis, axes.z_axis);
         let surface = DVec3::new(0.0, self.belt.dot(tangent_1), self.belt.dot(tangent_2));
         Contact {
             geoms: self.geoms,
             bodies: self.indices,
-            materials: self.materials,
             position: point.position,
             normal: point.normal,
             tangent_1,
@@ -163,10 +144,10 @@ impl<'a> Meeting<'a> {
             ahead: DVec3::ZERO,
             instant: 0.0,
             arms,
-            k_normal: k_n.dot(point.normal),
+            k_normal: k.x,
             give: 0.0,
-            k_coupling: (k_n.dot(tangent_1), k_n.dot(tangent_2)),
-            k_tangent,
+            k_coupling: coupling,
+            k_tangent: (k.y, k.z),
             coefficients: self.coefficients,
             friction: Friction::Static,
             target: 0.0,
@@ -323,31 +304,6 @@ impl Contact {
         bodies[self.bodies.0].apply_impulse(p, self.arms.0);
         bodies[self.bodies.1].apply_impulse(-p, self.arms.1);
     }
-}
-
-/// Tangents that diagonalise the tangential part of K, so that the friction disc can be solved in closed form; `k`
-/// gives K d.
-pub(crate) fn principal_tangents(
-    normal: DVec3,
-    k: impl Fn(DVec3) -> DVec3,
-) -> (DVec3, DVec3, (f64, f64)) {
-    let (u, w) = tangents(normal);
-    let (ku, kw) = (k(u), k(w));
-    let (uu, uw, ww) = (ku.dot(u), ku.dot(w), kw.dot(w));
-    let half = 0.5 * (uu - ww);
-    let radius = (half * half + uw * uw).sqrt();
-    if radius <= 1e-9 * (uu + ww) {
-        return (u, w, (uu, ww));
-    }
-    // Eigenvector of the greater eigenvalue; of the two forms the one without cancellation.
-    let e = if half >= 0.0 {
-        u * (radius + half) + w * uw
-    } else {
-        u * uw + w * (radius - half)
-    }
-    .normalize();
-    let middle = 0.5 * (uu + ww);
-    (e, normal.cross(e), (middle + radius, middle - radius))
 }
 
 /// What a contact leaves to the next step: where it was on body A, and its force and torque.

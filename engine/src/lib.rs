@@ -28,6 +28,7 @@ pub mod paths;
 mod point;
 pub mod position;
 pub mod profile;
+mod response;
 pub mod roll;
 pub mod shape;
 pub mod solver;

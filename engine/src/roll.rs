@@ -16,10 +16,10 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::Body;
-use crate::contact::principal_tangents;
 use crate::disc::friction_in_disc;
 use crate::math::length;
 use crate::model::Coefficients;
+use crate::response::Principal;
 
 /// What a contact with rolling or spinning friction has beside its other data. Few pairs of materials have it, so that
 /// it is kept apart.
@@ -56,18 +56,16 @@ impl Roll {
             return None;
         }
         let inverse = a.inverse_inertia + b.inverse_inertia;
-        let spun = inverse * normal;
-        let (one, two, k) = principal_tangents(normal, |d| inverse * d);
-        let k = DVec3::new(spun.dot(normal), k.0, k.1);
+        let Principal { axes, k, coupling } = Principal::of(&inverse, normal);
         // A thin rod cannot be spun up about its own axis: a torque that does nothing may have any bound but no pole.
         let least = 1e-12 * k.max_element();
         (least > 0.0).then(|| {
             Box::new(Self {
                 spinning,
                 rolling,
-                axes: DMat3::from_cols(normal, one, two),
+                axes,
                 k: k.max(DVec3::splat(least)),
-                k_coupling: (spun.dot(one), spun.dot(two)),
+                k_coupling: coupling,
                 impulse: DVec3::ZERO,
             })
         })

@@ -96,14 +96,14 @@ pub(super) fn contact_table<'py>(
     rows.extend(contacts, world);
     let out = contact_columns(py, rows)?;
     #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
-    let ids = |f: fn(&Contact) -> usize| {
+    let ids = |f: &dyn Fn(&Contact) -> usize| {
         let numbers = contacts.iter().map(|c| f(c) as i32);
         numbers.collect::<Vec<i32>>().into_pyarray(py)
     };
-    out.set_item("geom_a", ids(|c| c.geoms.0 as usize))?;
-    out.set_item("geom_b", ids(|c| c.geoms.1 as usize))?;
-    out.set_item("material_a", ids(|c| c.materials.0))?;
-    out.set_item("material_b", ids(|c| c.materials.1))?;
+    out.set_item("geom_a", ids(&|c| c.geoms.0 as usize))?;
+    out.set_item("geom_b", ids(&|c| c.geoms.1 as usize))?;
+    out.set_item("material_a", ids(&|c| world.materials_of(c).0))?;
+    out.set_item("material_b", ids(&|c| world.materials_of(c).1))?;
     Ok(out)
 }
 

@@ -171,6 +171,7 @@ impl ContactRows {
     #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap)]
     pub fn extend(&mut self, contacts: &[Contact], world: &World) {
         let (timestep, materials) = (world.settings.timestep, world.pairs.len());
+        let pair = |c: &Contact| pair_row(world.materials_of(c), materials) as i32;
         let normal = |c: &Contact| c.impulse.x + c.impact_impulse.dot(c.normal);
         let whole = |c: &Contact| normal(c) * c.normal + c.tangential_impulse();
         self.reserve(contacts.len());
@@ -191,8 +192,7 @@ impl ContactRows {
                 .extend(all().map(|c| c.velocity_before.to_array()));
             self.velocity_after
                 .extend(all().map(|c| c.velocity_after.to_array()));
-            self.pair
-                .extend(all().map(|c| pair_row(c.materials, materials) as i32));
+            self.pair.extend(all().map(pair));
             self.sliding.extend(all().map(|c| i8::from(c.sliding)));
         }
     }

@@ -199,19 +199,20 @@ impl World {
 
     /// Move on by `h`.
     fn advance(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
-        self.survey(h, oracle)?;
-        self.resolve_impacts(&self.rules(h));
+        if self.survey(h, oracle)? {
+            self.resolve_impacts(&self.rules(h));
+        }
         self.finish(h);
         Ok(())
     }
 
-    /// What acts on bodies, and what touches or will touch within `h`.
-    fn survey(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+    /// What acts on bodies, and what touches or will touch within `h`. Returns whether anything may be hit.
+    fn survey(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<bool, Failure> {
         self.impacts.begin_part(self.bodies.len());
         self.evaluate_forces(h);
-        self.collide(h, oracle)?;
+        let hits = self.collide(h, oracle)?;
         self.soften_rigid_contacts();
-        Ok(())
+        Ok(hits)
     }
 
     /// Contacts and joints, then the motion, then what it left of overlaps.
@@ -236,8 +237,8 @@ impl World {
     }
 
     /// Contacts of this step: points that are nearly touching, and points that will touch before the step ends, at
-    /// the instant of touching.
-    fn collide(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<(), Failure> {
+    /// the instant of touching. Returns whether any may be hit.
+    fn collide(&mut self, h: f64, oracle: &mut dyn Oracle) -> Result<bool, Failure> {
         self.foresee_travels(h);
         self.find_candidates();
         self.list_jobs();

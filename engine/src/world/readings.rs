@@ -209,6 +209,13 @@ impl World {
         &self.contacts
     }
 
+    /// Materials of A and B.
+    #[must_use]
+    pub fn materials_of(&self, c: &Contact) -> (usize, usize) {
+        let material = |k: u32| self.geoms[k as usize].material;
+        (material(c.geoms.0), material(c.geoms.1))
+    }
+
     /// What the contact solve of the last step came to.
     #[must_use]
     pub fn report(&self) -> Report {
