@@ -3,7 +3,7 @@
 from physsim.recording.block import Block
 from physsim.recording.connection_track import JointTrack, SpringTrack
 from physsim.recording.layout import recorded
-from physsim.recording.reader import NotInFile, Trajectory, open_trajectory
+from physsim.recording.reader import NotInFile, Trajectory, open_own, open_trajectory
 from physsim.recording.recorder import Recorder
 from physsim.recording.series import Series, Table
 from physsim.recording.target import Target
@@ -20,6 +20,7 @@ __all__ = [
     "Table",
     "Target",
     "Trajectory",
+    "open_own",
     "open_trajectory",
     "recorded",
 ]

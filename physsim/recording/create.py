@@ -22,6 +22,9 @@ MOST_CHUNK_ITEMS = 256
 ITEM_AXES = ("body", "joint", "spring")
 CHUNK_BYTES = 192 * 1024
 CHUNK_FRAMES = (16, 1024)
+# Frames are packed when they hold about so many bodies: enough to make a call worth its while, so few that
+# their memory stays with the process and little is left to do at the end.
+PART_ITEMS = 16 * 1024
 # Rows of /contacts and /events: about those of some frames, within bounds.
 CHUNK_ROWS = (1024, 8192)
 ROWS_PER_BODY = 8
@@ -59,6 +62,12 @@ def block_frames(bodies: int) -> int:
     row_bytes = 4 * 8 * min(max(bodies, 1), chunk_items(bodies))
     fitting = 1 << ((CHUNK_BYTES // row_bytes).bit_length() - 1)
     return min(max(fitting, CHUNK_FRAMES[0]), CHUNK_FRAMES[1])
+
+
+def part_frames(bodies: int) -> int:
+    """Frames that are packed together, while the next ones are made: a power of two, no more than a block."""
+    fitting = 1 << max(PART_ITEMS // max(bodies, 1), 1).bit_length() - 1
+    return min(fitting, block_frames(bodies))
 
 
 def chunk_items(bodies: int) -> int:

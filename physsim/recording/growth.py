@@ -23,6 +23,7 @@ class Growing:
     def __init__(self, file: h5py.File, columns: tuple[Column, ...]) -> None:
         self._columns = [column for column in columns if column.grows_along]
         self._datasets = {column.path: Packed(file[column.path]) for column in self._columns}
+        self._times: list[Numbers] = []
         self._axes = {
             (group, dim): axis_dataset(file, group, dim) for group, dim in layout.bare_axes(columns)
         }
@@ -31,16 +32,29 @@ class Growing:
         """The length of a dataset, 0 when it is not recorded."""
         return self._datasets[path].rows if path in self._datasets else 0
 
-    def append_all_but_time(self, pending: Pending) -> None:
+    def append(self, pending: Pending) -> None:
+        """Rows of frames, but for their times, which wait for `append_times`."""
         added = {column.path: pending.of(column.path) for column in self._columns if column.path != "time"}
         counts = added.get("contacts/offset")
         if counts is not None:
             added |= self._numbered(counts)
         for path, rows in added.items():
             self._append(layout.BY_PATH[path], rows)
+        times = pending.of("time")
+        if times is not None:
+            self._times.append(times)
 
-    def append_time(self, pending: Pending) -> None:
-        self._append(layout.BY_PATH["time"], pending.of("time"))
+    def settle(self) -> None:
+        """Writes what waits in chunks that are not full."""
+        for dataset in self._datasets.values():
+            dataset.settle()
+
+    def append_times(self) -> None:
+        """Makes the frames count, of which all else is written."""
+        if self._times:
+            self._append(layout.BY_PATH["time"], np.concatenate(self._times))
+            self._times.clear()
+            self._datasets["time"].settle()
 
     def cut(self, lengths: dict[str, int]) -> None:
         """Shortens to a length for each axis."""
@@ -52,7 +66,7 @@ class Growing:
 
     def _numbered(self, counts: Numbers) -> dict[str, Numbers | None]:
         """`/contacts/frame` and `/contacts/offset` of frames with so many contact points each."""
-        first = self.rows("time")
+        first = self.rows("step")
         ends = self.rows("contacts/frame") + np.cumsum(counts)
         frames = np.repeat(np.arange(first, first + len(counts)), counts)
         return {

@@ -2,8 +2,8 @@
 
 HDF5 packs by shuffling bytes (all first bytes of the numbers, then all second ones) and zlib, which takes
 16 ns a byte. A stream for the same readers comes from igzip (Intel's ISA-L) in a tenth of the time. So
-chunks are packed here and handed over as they are. The rows of a chunk that is not full yet are kept, to be
-packed again with those that follow.
+chunks are packed here and handed over as they are. The rows of a chunk that is not full yet are kept; what
+`settle` has written of them is packed again with those that follow.
 """
 
 from __future__ import annotations
@@ -29,26 +29,38 @@ class Packed:
         self._chunks: tuple[int, ...] = dataset.chunks
         self._fill = dataset.fillvalue
         self.rows = int(dataset.shape[0])
-        self._begun = self._read_begun()
+        self._begun = [self._read_begun()]
+        self._settled = self.rows
 
     def append(self, rows: Numbers) -> None:
-        """Writes rows at the end."""
+        """Rows at the end. Chunks that are full are written, what is left over waits."""
         rows = np.asarray(rows, self._dataset.dtype)
         self._dataset.resize(self.rows + len(rows), axis=0)
-        start, height = self.rows - len(self._begun), self._chunks[0]
+        height, waiting = self._chunks[0], self.rows % self._chunks[0]
+        start = self.rows - waiting
         self.rows += len(rows)
-        if len(self._begun):
-            needed = height - len(self._begun)
-            self._put(start, np.concatenate([self._begun, rows[:needed]]))
-            start, rows = start + height, rows[needed:]
-        for row in range(0, len(rows), height):
-            self._put(start + row, rows[row : row + height])
+        if waiting + len(rows) < height:
+            self._begun.append(rows.copy())
+            return
+        self._put(start, np.concatenate([*self._begun, rows[: height - waiting]]))
+        for first in range(height - waiting, len(rows) - height + 1, height):
+            self._put(start + waiting + first, rows[first : first + height])
+        left = self.rows % height
+        self._begun = [rows[len(rows) - left :].copy()]
+
+    def settle(self) -> None:
+        """Writes what waits."""
+        if self._settled < self.rows and self.rows % self._chunks[0]:
+            begun = np.concatenate(self._begun)
+            self._put(self.rows - len(begun), begun)
+            self._begun = [begun]
+        self._settled = self.rows
 
     def cut(self, rows: int) -> None:
         """Shortens it."""
         self._dataset.resize(rows, axis=0)
-        self.rows = rows
-        self._begun = self._read_begun()
+        self.rows = self._settled = rows
+        self._begun = [self._read_begun()]
 
     def _read_begun(self) -> Numbers:
         """The rows in the last chunk, none when it is full."""
@@ -64,7 +76,6 @@ class Packed:
             part = rows[(slice(None), *map(slice, corner, np.add(corner, self._chunks[1:])))]
             stream = packed(_filled(part, self._chunks, self._fill))
             self._dataset.id.write_direct_chunk((start, *corner), stream)
-        self._begun = rows[:0] if len(rows) == self._chunks[0] else rows.copy()
 
 
 def _corners(shape: tuple[int, ...], chunks: tuple[int, ...]) -> list[tuple[int, ...]]:

@@ -74,6 +74,14 @@ def open_trajectory(path: str | Path) -> Trajectory:
     return Trajectory(path, file, writing)
 
 
+def open_own(path: Path) -> Trajectory:
+    """Opens a file that this process has just finished: nobody has looked for damage in it.
+
+    Raises FileTrouble when it cannot be opened.
+    """
+    return Trajectory(path, *open_for_reading(path, trusted=True))
+
+
 class Trajectory:
     """An open trajectory file. A context manager: `with open_trajectory("run.h5") as t: ...`
 

@@ -13,7 +13,7 @@ import numpy as np
 from physsim.recording.behind import Behind
 from physsim.recording.block import Block, Rows
 from physsim.recording.column import Column
-from physsim.recording.create import block_frames
+from physsim.recording.create import block_frames, part_frames
 from physsim.recording.layout import Status
 from physsim.recording.pending import Pending
 from physsim.recording.target import Target
@@ -49,8 +49,8 @@ class Recorder:
         self._writer = writer
         self._behind = Behind("physsim-recorder")
         self._pending = Pending()
-        self._handed_over = writer.frames
-        self._block = block_frames(writer.bodies)
+        self._handed_over = self._safe = writer.frames
+        self._block, self._part = block_frames(writer.bodies), part_frames(writer.bodies)
         self._last_checkpoint = time.monotonic()
 
     @classmethod
@@ -79,8 +79,8 @@ class Recorder:
 
     @property
     def room(self) -> int:
-        """How many more frames fill a chunk, and should be written then."""
-        return self._block - self._handed_over % self._block - self._pending.frames
+        """How many more frames make a part, and should be packed then."""
+        return self._part - self._handed_over % self._part - self._pending.frames
 
     def append(self, block: Block) -> None:
         """Frames that follow on those before."""
@@ -92,17 +92,26 @@ class Recorder:
         coming: frames that are about to be handed over besides.
         """
         waited = time.monotonic() - self._last_checkpoint
-        new = self._pending.frames + coming
-        worth_it = new == 0 or new >= LEAST_GROWTH * (self._handed_over % self._block)
+        new = self._handed_over - self._safe + self._pending.frames + coming
+        worth_it = new == 0 or new >= LEAST_GROWTH * (self._safe % self._block)
         return waited > SECONDS_BETWEEN_CHECKPOINTS and worth_it
+
+    def write_part(self) -> None:
+        """Has the frames in hand packed, and written with those before them when they end a chunk."""
+        if (self._handed_over + self._pending.frames) % self._block == 0:
+            self.write_block()
+        else:
+            self._behind.do(partial(self._writer.write_part, self._taken()))
 
     def write_block(self) -> None:
         """Has the frames in hand written."""
         self._behind.do(partial(self._writer.write_block, self._taken()))
+        self._safe = self._handed_over
 
     def write_checkpoint(self, engine: bytes, step: int) -> None:
         """The same with the engine's state after `step` steps, down to the disk itself."""
         self._behind.do(partial(self._writer.write_checkpoint, self._taken(), engine, step))
+        self._safe = self._handed_over
         self._last_checkpoint = time.monotonic()
 
     def finish(

@@ -77,6 +77,11 @@ class Writer:
             writer._cut(frames, events)
         return writer
 
+    def write_part(self, pending: Pending) -> None:
+        """Packs the frames in hand. They do not count, and a kill loses them, until a block ends."""
+        with self._told_plainly():
+            self._growing.append(pending)
+
     def write_block(self, pending: Pending) -> None:
         """Writes the frames in hand."""
         with self._told_plainly():
@@ -122,11 +127,12 @@ class Writer:
             self._publish(self._waiting)
 
     def _commit(self, pending: Pending) -> None:
-        self._growing.append_all_but_time(pending)
+        self._growing.append(pending)
+        self._growing.settle()
         self._flush()
-        self._growing.append_time(pending)
+        self._growing.append_times()
         self._flush()
-        self.frames += pending.frames
+        self.frames = self._growing.rows("time")
 
     def _cut(self, frames: int, events: int) -> None:
         """Shortens every growing dataset, `/time` first: the shortest tells what is whole."""

@@ -74,7 +74,7 @@ class Keeping(Protocol):
     def room(self) -> int: ...
     def append(self, block: Block) -> None: ...
     def checkpoint_is_due(self, coming: int) -> bool: ...
-    def write_block(self) -> None: ...
+    def write_part(self) -> None: ...
     def write_checkpoint(self, engine: bytes, step: int) -> None: ...
     def check(self) -> None: ...
     def settle(self) -> None: ...
@@ -177,7 +177,7 @@ class Loop:
         self._save_when_due()
 
     def _room(self) -> int:
-        """Frames that may come before some must be written."""
+        """Frames that may come before some are handed over."""
         return self._recorder.room - len(self._measure.frames)
 
     def _hand_over(self) -> None:
@@ -195,7 +195,7 @@ class Loop:
             self._recorder.write_checkpoint(self.checkpoint(), self.step)
         elif self._room() <= 0:
             self._hand_over()
-            self._recorder.write_block()
+            self._recorder.write_part()
 
     def _ended(self, status: Status, detail: str) -> Ending:
         self._report(lambda: self._progress(status), last=True)

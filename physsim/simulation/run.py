@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from physsim.errors import FileTrouble, PhyssimError, RunFailed
-from physsim.recording import Recorder, Trajectory, open_trajectory, recorded
+from physsim.recording import Recorder, Trajectory, open_own, open_trajectory, recorded
 from physsim.simulation.about import fixed_values, now, root_attributes
 from physsim.simulation.expectations import check_expectations, demand
 from physsim.simulation.loop import Ending, Loop, Schedule
@@ -65,12 +65,10 @@ def run(
     found = find_resumable(prepared.target, prepared.scene, prepared.model) if resume else None
     if found is None:
         _refuse_bad_target(prepared, force)
-        path = _simulate(prepared, None, Throttle(progress), onlooker)
-    elif _is_done(found, prepared.schedule):
-        path = found.path
+    if found is not None and _is_done(found, prepared.schedule):
+        trajectory = open_trajectory(found.path)
     else:
-        path = _simulate(prepared, found, Throttle(progress), onlooker)
-    trajectory = open_trajectory(path)
+        trajectory = open_own(_simulate(prepared, found, Throttle(progress), onlooker))
     if check:
         with _closed_on_error(trajectory):
             demand(check_expectations(trajectory, prepared.scene.spec.expect))

@@ -167,8 +167,8 @@ class Memory:
         """No file, no checkpoint."""
         return False
 
-    def write_block(self) -> None:
-        """No file, no block."""
+    def write_part(self) -> None:
+        """No file, no part."""
 
     def write_checkpoint(self, engine: bytes, step: int) -> None:
         """No file, no checkpoint."""

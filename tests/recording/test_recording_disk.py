@@ -55,6 +55,8 @@ def test_a_kill_between_any_two_writes(
             recorder.write_checkpoint(b"state %d" % number * 200, number)
             recorder.settle()
             acknowledged = recorder.frames
+        elif number % 4 == 2:
+            recorder.write_part()
     recorder.finish("complete", "", b"end", 0, {})
     monkeypatch.undo()
     assert len(deaths) > 50

@@ -36,7 +36,10 @@ def test_what_was_put_is_read_back(  # noqa: PLR0917, what is drawn and what is 
     start = 0
     for length in lengths:
         with h5py.File(path, "r+") as file:
-            Packed(file["x"]).append(whole[start : start + length])
+            dataset = Packed(file["x"])
+            dataset.append(whole[start : start + length // 2])
+            dataset.append(whole[start + length // 2 : start + length])
+            dataset.settle()
         start += length
     with h5py.File(path) as file:
         np.testing.assert_array_equal(file["x"][()], whole)

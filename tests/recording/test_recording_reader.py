@@ -12,7 +12,7 @@ import pytest
 
 from physsim.errors import FileTrouble
 from physsim.recording import NotInFile, Trajectory, open_trajectory, series
-from physsim.recording.create import block_frames, chunk_items
+from physsim.recording.create import block_frames, chunk_items, part_frames
 
 FRAMES, BODIES = 40, 3
 
@@ -203,3 +203,37 @@ def test_chunks_hold_some_hundred_kilobytes(bodies: int, frames: int) -> None:
     """
     assert block_frames(bodies) == frames
     assert frames * min(bodies, chunk_items(bodies)) * 4 * 8 <= 192 * 1024
+
+
+@pytest.mark.parametrize(
+    ("bodies", "frames"), [(1, 1024), (64, 64), (1000, 16), (5000, 2), (10_000, 1), (30_000, 1)]
+)
+def test_parts_hold_some_thousand_bodies(bodies: int, frames: int) -> None:
+    assert part_frames(bodies) == frames
+    assert block_frames(bodies) % frames == 0
+
+
+def test_parts_count_when_they_end_a_chunk(tmp_path: Path) -> None:
+    bodies = 1000
+    part, block = part_frames(bodies), block_frames(bodies)
+    recorder = made_up_run.start(tmp_path / "live.h5", bodies)
+    made_up_run.feed(recorder, 0, bodies)
+    recorder.write_block()
+    for number in range(1, block + 3):
+        made_up_run.feed(recorder, number, bodies)
+        if recorder.room == 0:
+            assert (number + 1) % part == 0
+            recorder.write_part()
+            recorder.settle()
+            assert recorder.frames == (1 if number + 1 < block else block)
+            with open_trajectory(tmp_path / "live.h5") as trajectory:
+                assert trajectory.frames == recorder.frames
+    with open_trajectory(recorder.finish("complete", "", None, 0, {})) as trajectory:
+        assert trajectory.frames == block + 3
+        np.testing.assert_array_equal(
+            trajectory.position[:, 7, 2],
+            [made_up_run.frame(k, bodies)["position"][7, 2] for k in range(block + 3)],
+        )
+        np.testing.assert_array_equal(
+            trajectory.contacts().frame, np.repeat(np.arange(block + 3), np.arange(block + 3) % 3)
+        )
