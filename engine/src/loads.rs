@@ -16,7 +16,8 @@ use crate::team::fill;
 /// Wrenches and accelerations of all bodies.
 #[derive(Clone, Debug, Default)]
 pub struct Loads {
-    wrenches: Vec<Wrench>,
+    /// Of all forces, without joints, contacts and drives.
+    pub wrenches: Vec<Wrench>,
     /// Accelerations without joints and contacts.
     pub free: Vec<Twist>,
     /// Accelerations without contacts.

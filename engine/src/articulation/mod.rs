@@ -364,10 +364,17 @@ impl Articulation {
         let rows = &self.rows;
         self.assemblies[assembly].ask(&self.holds, |row| -rows[row].rate(motions));
         self.divide(assembly);
-        let a = &self.assemblies[assembly];
-        for (block, &x) in a.solution.iter().enumerate() {
-            a.levers.push(block, x, motions);
-        }
+        self.assemblies[assembly].push(motions);
+    }
+
+    /// The same to some digits, without refinement.
+    fn respond_roughly(&mut self, assembly: usize, motions: &mut [Twist]) {
+        let rows = &self.rows;
+        let a = &mut self.assemblies[assembly];
+        a.ask(&self.holds, |row| -rows[row].rate(motions));
+        a.factor(&self.holds);
+        a.divide_roughly();
+        a.push(motions);
     }
 
     /// Give all bodies the impulses that change the bilateral rows' rates by `missing` (one number a row).
@@ -386,10 +393,7 @@ impl Articulation {
         for assembly in 0..self.assemblies.len() {
             self.ask_bilateral(assembly, missing);
             self.divide(assembly);
-            let a = &self.assemblies[assembly];
-            for (block, &x) in a.solution.iter().enumerate() {
-                a.levers.push(block, x, shifts);
-            }
+            self.assemblies[assembly].push(shifts);
         }
     }
 
@@ -499,9 +503,7 @@ impl Articulation {
         }
         self.divide(assembly);
         let a = &self.assemblies[assembly];
-        for (block, &x) in a.solution.iter().enumerate() {
-            a.levers.push(block, x, moving);
-        }
+        a.push(moving);
         a.add_to(&mut self.impulses);
     }
 

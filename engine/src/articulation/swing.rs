@@ -51,7 +51,7 @@ impl Articulation {
                     angular_velocity: bodies[k].inverse_inertia * torque,
                 };
             }
-            self.respond(assembly, &mut motion);
+            self.respond_roughly(assembly, &mut motion);
             for &k in self.bodies(assembly) {
                 let turn = motion[k].angular_velocity;
                 after += turn.dot(stiffness[k] * turn);

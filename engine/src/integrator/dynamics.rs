@@ -57,6 +57,10 @@ pub struct Dynamics<'a> {
     pub closed: bool,
     /// Forces of the bilateral rows as the step begins [N or N m], but for those that contacts ask for.
     pub tensions: &'a [f64],
+    /// The swiftest swing under these tensions [rad/s], as the integrator finds it.
+    pub swing: f64,
+    /// What acts on bodies as the step begins, but joints, contacts and drives.
+    pub pulls: &'a [Wrench],
     /// Impulses of the bilateral rows in this step [N s or N m s].
     pub reactions: &'a mut Vec<f64>,
     /// Working memory.

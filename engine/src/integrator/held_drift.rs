@@ -34,6 +34,14 @@ impl Dynamics<'_> {
             each(bodies, &|b| free_drift(b, h, splitting));
             return;
         }
+        let division = self.division_of_drift();
+        self.in_parts(bodies, division, &|bodies, d| {
+            d.drift_jointed(bodies, splitting);
+        });
+    }
+
+    fn drift_jointed(&mut self, bodies: &mut [Body], splitting: Splitting) {
+        let h = self.span.1;
         self.articulation.load_places(self.joints, bodies);
         self.articulation.clear_impulses();
         let mut wanted = std::mem::take(&mut self.scratch.values);

@@ -54,6 +54,11 @@ impl Integrator {
         self != Self::SemiImplicitEuler
     }
 
+    /// Kicks and drifts.
+    fn is_symplectic(self) -> bool {
+        !matches!(self, Self::ExplicitEuler | Self::Rk4)
+    }
+
     /// One step of the scheme over the span of `d`, whether its joints can be closed at its end or not.
     ///
     /// Stoermer-Verlet, velocity Verlet and leapfrog are one and the same map written in three ways, also with forces

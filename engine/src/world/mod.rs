@@ -401,6 +401,8 @@ impl World {
             stabilization: 0.0,
             closed: true,
             tensions: &loads.tensions,
+            swing: 0.0,
+            pulls: &loads.wrenches,
             reactions: &mut loads.reactions,
             scratch: &mut loads.scratch,
         };
