@@ -10,7 +10,6 @@ use crate::mover::Moving;
 use crate::narrowphase::ContactPoint;
 use crate::response::{response, Principal};
 use crate::roll::Roll;
-use crate::team::{both, fill, HANDFUL};
 
 /// Friction of a contact in the solve at hand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -322,77 +321,78 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// Keep the impulses of these contacts, as forces over the step of `h` [s].
-    pub fn store(&mut self, contacts: &[Contact], bodies: &[Body], h: f64) {
-        fill(
-            &mut self.points,
-            (contacts.len(), Remembered::default()),
-            &|k| {
-                let c = &contacts[k];
-                Remembered {
-                    geoms: c.geoms,
-                    place: bodies[c.bodies.0].rotation.transpose() * c.arms.0,
-                    force: c.to_world(c.impulse) / h,
-                    torque: c.roll.as_ref().map(|_| c.turn() / h),
-                }
-            },
-        );
-    }
-
-    /// Start every contact from the force of the nearest point of the same geoms in the step before, each point
-    /// used once. Points farther apart than `radius` of a geom pair are strangers.
-    pub fn recall(&mut self, contacts: &mut [Contact], bodies: &[Body], radius: &[f64], h: f64) {
-        recall(&mut self.points, contacts, (bodies, radius, h));
-    }
-}
-
-/// From these points to these contacts; halves between two pairs of geoms at once.
-fn recall(
-    points: &mut [Remembered],
-    contacts: &mut [Contact],
-    (bodies, radius, h): (&[Body], &[f64], f64),
-) {
-    let half = contacts.len() / 2;
-    if contacts.len() > HANDFUL && contacts[0].geoms < contacts[half].geoms {
-        let pair = contacts[half].geoms;
-        let (a, b) = contacts.split_at_mut(contacts.partition_point(|c| c.geoms < pair));
-        let (of_a, of_b) = points.split_at_mut(points.partition_point(|p| p.geoms < pair));
-        both(
-            || recall(of_a, a, (bodies, radius, h)),
-            || recall(of_b, b, (bodies, radius, h)),
-        );
-    } else {
-        recall_in_turn(points, contacts, (bodies, radius, h));
-    }
-}
-
-fn recall_in_turn(
-    points: &mut [Remembered],
-    contacts: &mut [Contact],
-    (bodies, radius, h): (&[Body], &[f64], f64),
-) {
-    let mut from = 0;
-    for contact in contacts.iter_mut() {
-        while points.get(from).is_some_and(|p| p.geoms < contact.geoms) {
-            from += 1;
+    /// What was remembered, for contacts of the next step of `h` [s] in their order. Points farther apart than `radius`
+    /// of a geom pair are strangers.
+    pub fn recall<'a>(&'a mut self, radius: &'a [f64], h: f64) -> Recall<'a> {
+        Recall {
+            points: &mut self.points,
+            radius,
+            h,
         }
-        let place = bodies[contact.bodies.0].rotation.transpose() * contact.arms.0;
-        let limit = radius[contact.geoms.0 as usize].min(radius[contact.geoms.1 as usize]);
-        let mut best = (limit * limit, usize::MAX);
-        for (k, point) in points[from..].iter().enumerate() {
-            if point.geoms != contact.geoms {
-                break;
-            }
+    }
+
+    /// Places for so many contacts, to be written over.
+    pub fn renew(&mut self, contacts: usize) -> &mut [Remembered] {
+        self.points.resize(contacts, Remembered::default());
+        &mut self.points
+    }
+}
+
+impl Remembered {
+    /// Of a contact that passed on the impulse `p`, in world axes, over the step of `h` [s].
+    #[must_use]
+    pub fn of(c: &Contact, p: DVec3, bodies: &[Body], h: f64) -> Self {
+        Self {
+            geoms: c.geoms,
+            place: place_on_a(c, bodies),
+            force: p / h,
+            torque: c.roll.as_ref().map(|_| c.turn() / h),
+        }
+    }
+}
+
+/// Where a contact is on body A, in its axes [m].
+fn place_on_a(c: &Contact, bodies: &[Body]) -> DVec3 {
+    bodies[c.bodies.0].rotation.transpose() * c.arms.0
+}
+
+/// Memories of contacts that come in their order.
+pub struct Recall<'a> {
+    /// Those of the contacts that are still to come.
+    points: &'a mut [Remembered],
+    radius: &'a [f64],
+    h: f64,
+}
+
+impl Recall<'_> {
+    /// Those of the contacts before a pair of geoms, and the others.
+    #[must_use]
+    pub fn split_at(self, pair: (u32, u32)) -> (Self, Self) {
+        let border = self.points.partition_point(|p| p.geoms < pair);
+        let (before, after) = self.points.split_at_mut(border);
+        let of = |points| Self { points, ..self };
+        (of(before), of(after))
+    }
+
+    /// Start a contact from the force of the nearest point of the same geoms in the step before, each point used once.
+    pub fn start(&mut self, c: &mut Contact, bodies: &[Body]) {
+        let past = self.points.iter().take_while(|p| p.geoms < c.geoms);
+        let past = past.count();
+        self.points = &mut std::mem::take(&mut self.points)[past..];
+        let place = place_on_a(c, bodies);
+        let limit = self.radius[c.geoms.0 as usize].min(self.radius[c.geoms.1 as usize]);
+        let mut best = (limit * limit, None);
+        for point in self.points.iter_mut().take_while(|p| p.geoms == c.geoms) {
             let distance = (point.place - place).length_squared();
             if distance < best.0 {
-                best = (distance, from + k);
+                best = (distance, Some(point));
             }
         }
-        if let Some(point) = points.get_mut(best.1) {
-            contact.impulse = contact.to_local(point.force * h);
-            contact.impulse.x = contact.impulse.x.max(0.0);
-            if let (Some(roll), Some(torque)) = (&mut contact.roll, point.torque) {
-                roll.impulse = roll.to_local(torque * h);
+        if let Some(point) = best.1 {
+            c.impulse = c.to_local(point.force * self.h);
+            c.impulse.x = c.impulse.x.max(0.0);
+            if let (Some(roll), Some(torque)) = (&mut c.roll, point.torque) {
+                roll.impulse = roll.to_local(torque * self.h);
             }
             point.place = DVec3::INFINITY;
         }

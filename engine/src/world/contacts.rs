@@ -5,17 +5,16 @@ use std::ops::Range;
 use glam::DVec3;
 
 use crate::body::Body;
-use crate::contact::Contact;
-use crate::impact::{gap_change, Kink};
+use crate::contact::{Contact, Remembered};
 use crate::joint::{Cause, Row};
 use crate::ledger::Ledger;
 use crate::loads::work_of_fixed;
 use crate::math::length;
-use crate::model::{Geom, Settings, Stabilization};
-use crate::position::SLOP;
+use crate::model::Stabilization;
 use crate::solver::{Limits, Report, Solver};
-use crate::team::{divide, gather, HANDFUL};
+use crate::team::{gather, HANDFUL};
 
+use super::aim::{Aimed, Aims};
 use super::World;
 
 /// Where sweeps run out, velocities are off by this many times what the last sweep still changed.
@@ -36,7 +35,6 @@ impl World {
         }
         let system = (&self.joints, &self.articulation);
         self.loads.hold(&self.contacts, system, h);
-        self.memory.store(&self.contacts, &self.bodies, h);
         self.note_contacts(h);
         self.note_drives(h);
         self.arrest(true, h);
@@ -129,22 +127,19 @@ impl World {
         let aims = Aims {
             bodies: &self.bodies,
             geoms: &self.geoms,
-            kinks: &self.impacts.kinks,
+            kinks: self.impacts.any.then_some(&self.impacts.kinks),
             settings: &self.settings,
             h,
         };
-        let found = (&mut self.starts[..], &mut self.gaps[..]);
-        let work = |(contacts, (starts, gaps)): (&mut [Contact], (&mut [DVec3], &mut [f64]))| {
-            for ((c, start), gap) in contacts.iter_mut().zip(starts).zip(gaps) {
-                (*start, *gap) = aims.aim(c);
-            }
-        };
-        divide((&mut self.contacts[..], found), HANDFUL, &work);
-        self.memory
-            .recall(&mut self.contacts, &self.bodies, &self.match_radius, h);
+        aims.aim_all(Aimed {
+            contacts: &mut self.contacts,
+            starts: &mut self.starts,
+            gaps: &mut self.gaps,
+            memory: self.memory.recall(&self.match_radius, h),
+        });
     }
 
-    /// Velocities after the solve, their work, and the gaps that they lead to.
+    /// Velocities after the solve, their work, and the gaps that they lead to. The impulses are remembered.
     fn note_contacts(&mut self, h: f64) {
         let notes = Notes {
             bodies: &self.bodies,
@@ -154,23 +149,25 @@ impl World {
             h,
         };
         let before = self.ledger;
-        let found = (
+        let count = self.contacts.len();
+        let noted = (
             (&self.starts[..], &mut self.gaps[..]),
-            0..self.contacts.len(),
+            (self.memory.renew(count), 0..count),
         );
-        let work = |(contacts, ((starts, gaps), range)): NotedPart| {
+        let work = |(contacts, ((starts, gaps), (memory, range))): NotedPart| {
             let mut ledger = if range.start == 0 {
                 before
             } else {
                 Ledger::default()
             };
-            for ((c, start), gap) in contacts.iter_mut().zip(starts).zip(gaps) {
-                notes.note(c, *start, gap, &mut ledger);
+            let contacts = contacts.iter_mut().zip(memory);
+            for ((c, place), (start, gap)) in contacts.zip(starts.iter().zip(gaps)) {
+                *place = notes.note(c, *start, gap, &mut ledger);
             }
             ledger
         };
         self.ledger = gather(
-            (&mut self.contacts[..], found),
+            (&mut self.contacts[..], noted),
             HANDFUL,
             &work,
             &|a: Ledger, b| a.plus(&b),
@@ -202,48 +199,11 @@ impl World {
 
 type NotedPart<'a> = (
     &'a mut [Contact],
-    ((&'a [DVec3], &'a mut [f64]), Range<usize>),
+    (
+        (&'a [DVec3], &'a mut [f64]),
+        (&'a mut [Remembered], Range<usize>),
+    ),
 );
-
-/// What contacts are aimed by.
-struct Aims<'a> {
-    bodies: &'a [Body],
-    geoms: &'a [Geom],
-    kinks: &'a [Kink],
-    settings: &'a Settings,
-    h: f64,
-}
-
-impl Aims<'_> {
-    /// Aim a contact. Returns its velocity [m/s], along normal and tangents, and its gap [m].
-    fn aim(&self, c: &mut Contact) -> (DVec3, f64) {
-        let (settings, h) = (self.settings, self.h);
-        let lead = settings.integrator.lead();
-        // Semi-implicit Euler moves bodies with the end velocity over the whole step: half a step ahead is its mean.
-        let ahead = if lead == 1.0 { 0.5 * h } else { h };
-        let u = c.velocity(self.bodies);
-        c.choose_friction(u, settings.slip_speed);
-        let gap = c.gap + gap_change(self.kinks, c);
-        c.target = if gap > SLOP {
-            closing_speed(gap, u.x, h, lead)
-        } else if settings.stabilization == Stabilization::Baumgarte && gap < 0.0 {
-            -settings.baumgarte * gap / h
-        } else {
-            0.0
-        };
-        let centres = [self.centre(c.geoms.0), self.centre(c.geoms.1)];
-        c.ahead = c.turning_ahead(self.bodies, centres, ahead);
-        c.clear_impulse();
-        (u, gap)
-    }
-
-    /// Of a round geom, from its body's centre of mass [m].
-    fn centre(&self, k: u32) -> Option<DVec3> {
-        let geom = &self.geoms[k as usize];
-        let arm = self.bodies[geom.body].rotation * geom.position;
-        geom.shape.is_round().then_some(arm)
-    }
-}
 
 /// What a solve came to.
 struct Notes<'a> {
@@ -256,8 +216,16 @@ struct Notes<'a> {
 }
 
 impl Notes<'_> {
-    /// The velocity of a contact that began with `start`, its work, and the gap that it leads to.
-    fn note(&self, c: &mut Contact, start: DVec3, gap: &mut f64, ledger: &mut Ledger) {
+    /// The velocity of a contact that began with `start`, its work, and the gap that it leads to. Returns what is to be
+    /// remembered of it.
+    fn note(
+        &self,
+        c: &mut Contact,
+        start: DVec3,
+        gap: &mut f64,
+        ledger: &mut Ledger,
+    ) -> Remembered {
+        let p = c.to_world(c.impulse);
         let u = self.solver.velocity(c);
         c.velocity_after = c.to_world(u);
         // Impulses act with the arms of now, so their work is that of the velocities with these arms.
@@ -269,7 +237,7 @@ impl Notes<'_> {
         } else {
             ledger.book(c.impulse.x * mean.x, 0.0);
         }
-        ledger.work_motors -= c.to_world(c.impulse).dot(c.driven(self.bodies));
+        ledger.work_motors -= p.dot(c.driven(self.bodies));
         if let Some(roll) = &c.roll {
             let turned = roll.to_world(roll.impulse);
             let mean = 0.5 * (c.turning(self.bodies) + self.solver.turning(c));
@@ -279,14 +247,6 @@ impl Notes<'_> {
         *gap += ((1.0 - self.lead) * start.x + self.lead * u.x) * self.h;
         let loaded = c.impulse.x > 0.0 || c.impact_impulse != DVec3::ZERO;
         c.sliding = loaded && length(u.y, u.z) > self.slow;
+        Remembered::of(c, p, self.bodies, self.h)
     }
-}
-
-/// The normal velocity at the end of a step of `h` that just closes a gap, from the velocity `start` at its beginning:
-/// gap + ((1 - lead) start + lead end) h = 0. A contact never asks for more than parting with no speed.
-fn closing_speed(gap: f64, start: f64, h: f64, lead: f64) -> f64 {
-    if lead == 0.0 {
-        return -gap / h; // this step's displacement is settled; the next one is to close the gap at most
-    }
-    ((-gap / h - (1.0 - lead) * start) / lead).min(0.0)
 }

@@ -1,5 +1,6 @@
 //! The world and its step.
 
+mod aim;
 mod contacts;
 pub mod frames;
 mod located;
