@@ -77,6 +77,7 @@ pub struct Contact {
 }
 
 /// Relative velocity v_A + omega_A x r_A - v_B - omega_B x r_B [m/s].
+#[inline]
 #[must_use]
 pub fn relative_velocity(
     moving: &[impl Moving],
@@ -120,6 +121,7 @@ impl<'a> Meeting<'a> {
     }
 
     /// The contact at a point found by the narrow phase.
+    #[inline]
     #[must_use]
     pub fn contact(&self, point: &ContactPoint) -> Contact {
         let (a, b) = self.bodies;

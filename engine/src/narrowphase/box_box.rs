@@ -85,7 +85,11 @@ fn with_edges(
             let along = t[l] * column[k] - t[k] * column[l];
             let reach_a = half_a[k] * sizes[l] + half_a[l] * sizes[k];
             let reach_b = half_b[m] * abs.col(n)[i] + half_b[n] * abs.col(m)[i];
-            let separation = (along.abs() - reach_a - reach_b) / sine_squared.sqrt();
+            let stretched = along.abs() - reach_a - reach_b;
+            if stretched <= best.separation.min(0.0) {
+                continue; // the more so divided by a sine
+            }
+            let separation = stretched / sine_squared.sqrt();
             if separation >= margin {
                 return None;
             }

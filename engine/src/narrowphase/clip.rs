@@ -255,10 +255,10 @@ fn tidy(from: &[DVec3], to: &mut Vec<DVec3>) {
 
 /// Edges of a counter-clockwise polygon; lateral distances below this share of theirs count as none.
 fn sides(polygon: &[DVec3], rounding: f64) -> impl Iterator<Item = Side> + '_ {
-    let next = polygon.iter().cycle().skip(1);
-    polygon
-        .iter()
-        .zip(next)
+    let last = polygon.last().zip(polygon.first());
+    let pairs = polygon.windows(2).map(|pair| (&pair[0], &pair[1]));
+    pairs
+        .chain(last)
         .map(move |(p, q)| Side::new(*p, *q, rounding))
 }
 

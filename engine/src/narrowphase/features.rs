@@ -24,7 +24,7 @@ pub(crate) fn facing(a: &Posed, direction: DVec3, heights: &mut Vec<f64>, out: &
             radius,
             half_height,
         } => capsule(*radius, *half_height, local, out),
-        Shape::Box { half } => box_face(*half, local, out),
+        Shape::Box { half } => return box_face(*half, local, &a.pose, out),
         Shape::Cylinder {
             radius,
             half_height,
@@ -60,17 +60,15 @@ fn segment(half_length: f64, d: DVec3, out: &mut Vec<DVec3>) {
     }
 }
 
-/// The face most aligned with the direction.
-fn box_face(half: DVec3, d: DVec3, out: &mut Vec<DVec3>) {
+/// The face most aligned with the local direction, in world coordinates.
+fn box_face(half: DVec3, d: DVec3, pose: &Pose, out: &mut Vec<DVec3>) {
     let axis = d.abs().max_position();
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut corner = half;
-    corner[axis] = half[axis].copysign(d[axis]);
-    for (si, sj) in [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)] {
-        corner[i] = si * half[i];
-        corner[j] = sj * half[j];
-        out.push(corner);
-    }
+    let reach = |k: usize| pose.rotation.col(k) * half[k];
+    let middle = pose.position + reach(axis) * 1.0_f64.copysign(d[axis]);
+    let (u, v) = (reach(i), reach(j));
+    let (first, second) = (middle + v, middle - v);
+    out.extend([first + u, first - u, second - u, second + u]);
 }
 
 /// The cap within 45 degrees of the axis, else the line on the side.

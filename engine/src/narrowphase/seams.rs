@@ -47,13 +47,18 @@ fn lies_flush(shape: &Posed, solid: &Posed, outward: DVec3, apart: bool) -> bool
     let outward = solid.pose.inverse_direction(outward);
     let center = shape.pose.point(shape.shape.center());
     let center = solid.pose.inverse_point(center);
-    // Seen from the solid most of its faces are beside the shape.
-    any_face(solid.shape, |face| {
+    // Seen from the solid most of its faces are not beside the shape.
+    let beside = |face: &Face| {
         face.height(center) > -FLUSH && face.normal.dot(outward) < limit && {
             let face = placed(face, &solid.pose);
             (apart || faces_it(shape, face.normal)) && touches(shape, &face)
         }
-    })
+    };
+    match solid.shape {
+        // The centre is behind the others.
+        Shape::Box { half } => (0..3).any(|k| beside(&side(*half, k, center[k]))),
+        other => any_face(other, beside),
+    }
 }
 
 /// Whether a shape has a face that lies on one with this normal (world).
@@ -81,16 +86,22 @@ fn has_faces(shape: &Shape) -> bool {
 fn any_face(shape: &Shape, mut is: impl FnMut(&Face) -> bool) -> bool {
     match shape {
         Shape::Hull(hull) => hull.faces().iter().any(is),
-        Shape::Box { half } => (0..3).any(|k| {
-            let (axis, reach) = (DVec3::AXES[k], half[k]);
-            is(&Face::plane(axis, reach)) || is(&Face::plane(-axis, reach))
-        }),
+        Shape::Box { half } => {
+            (0..3).any(|k| is(&side(*half, k, 1.0)) || is(&side(*half, k, -1.0)))
+        }
         Shape::Cylinder { half_height, .. } => {
             is(&Face::plane(DVec3::Z, *half_height)) || is(&Face::plane(-DVec3::Z, *half_height))
         }
         Shape::Cone { height, .. } => is(&Face::plane(-DVec3::Z, 0.25 * height)),
         _ => false,
     }
+}
+
+/// The face of a box across an axis, on the side of this sign.
+fn side(half: DVec3, axis: usize, sign: f64) -> Face {
+    let mut normal = DVec3::ZERO;
+    normal[axis] = 1.0_f64.copysign(sign);
+    Face::plane(normal, half[axis])
 }
 
 #[cfg(test)]
