@@ -121,10 +121,10 @@ class Disk(io.RawIOBase):
 
     def _write_through(self, view: memoryview, at: int) -> None:
         """Writes beyond the old end, and into pages that wait there already."""
-        for number, first, last in _pieces(at, len(view)):
-            if number in self._pages:
-                begin = number * PAGE - at
-                self._pages[number][first:last] = view[begin + first : begin + last]
+        for number in self._pages.keys() & range(at // PAGE, -(-(at + len(view)) // PAGE)):
+            begin = number * PAGE - at
+            first, last = max(-begin, 0), min(len(view) - begin, PAGE)
+            self._pages[number][first:last] = view[begin + first : begin + last]
         if self.error is None:
             with self._giving_up():
                 self._claim(at + len(view))

@@ -39,20 +39,23 @@ class Growing:
         if counts is not None:
             added |= self._numbered(counts)
         for path, rows in added.items():
-            self._append(layout.BY_PATH[path], rows)
+            self._append(path, rows)
         times = pending.of("time")
         if times is not None:
             self._times.append(times)
 
     def settle(self) -> None:
-        """Writes what waits in chunks that are not full."""
+        """Writes what waits in chunks that are not full, and how long the axes are."""
         for dataset in self._datasets.values():
             dataset.settle()
+        rows = {(column.group, column.dims[0]): self.rows(column.path) for column in self._columns}
+        for key, axis in self._axes.items():
+            axis.resize(rows.get(key, len(axis)), axis=0)
 
     def append_times(self) -> None:
         """Makes the frames count, of which all else is written."""
         if self._times:
-            self._append(layout.BY_PATH["time"], np.concatenate(self._times))
+            self._append("time", np.concatenate(self._times))
             self._times.clear()
             self._datasets["time"].settle()
 
@@ -74,11 +77,6 @@ class Growing:
             "contacts/offset": ends if first else np.concatenate([[0], ends]),
         }
 
-    def _append(self, column: Column, added: Numbers | None) -> None:
-        if added is None:
-            return
-        dataset = self._datasets[column.path]
-        dataset.append(added)
-        axis = self._axes.get((column.group, column.dims[0]))
-        if axis is not None:
-            axis.resize(dataset.rows, axis=0)
+    def _append(self, path: str, added: Numbers | None) -> None:
+        if added is not None:
+            self._datasets[path].append(added)

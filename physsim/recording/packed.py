@@ -27,6 +27,7 @@ class Packed:
     def __init__(self, dataset: h5py.Dataset) -> None:
         self._dataset = dataset
         self._chunks: tuple[int, ...] = dataset.chunks
+        self._item: tuple[int, ...] = dataset.shape[1:]
         self._fill = dataset.fillvalue
         self.rows = int(dataset.shape[0])
         self._begun = [self._read_begun()]
@@ -35,7 +36,7 @@ class Packed:
     def append(self, rows: Numbers) -> None:
         """Rows at the end. Chunks that are full are written, what is left over waits."""
         rows = np.asarray(rows, self._dataset.dtype)
-        self._dataset.resize(self.rows + len(rows), axis=0)
+        self._resize(self.rows + len(rows))
         height, waiting = self._chunks[0], self.rows % self._chunks[0]
         start = self.rows - waiting
         self.rows += len(rows)
@@ -58,9 +59,13 @@ class Packed:
 
     def cut(self, rows: int) -> None:
         """Shortens it."""
-        self._dataset.resize(rows, axis=0)
+        self._resize(rows)
         self.rows = self._settled = rows
         self._begun = [self._read_begun()]
+
+    def _resize(self, rows: int) -> None:
+        """`Dataset.resize` without its questions, which take longer than the resizing."""
+        self._dataset.id.set_extent((rows, *self._item))
 
     def _read_begun(self) -> Numbers:
         """The rows in the last chunk, none when it is full."""
