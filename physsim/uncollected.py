@@ -21,3 +21,15 @@ def uncollected() -> Iterator[None]:
     finally:
         if was_on:
             gc.enable()
+
+
+@contextmanager
+def imported_for_good() -> Iterator[None]:
+    """No search meanwhile, and later none in what is there by then: for a command that imports what it needs.
+
+    Modules and classes stay to the end of the process, whose last search is through all of them once more.
+    """
+    with uncollected():
+        yield
+    if gc.get_freeze_count() == 0:
+        gc.freeze()

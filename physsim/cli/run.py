@@ -12,6 +12,7 @@ import click
 from physsim.cli import output, problems, progress, summary, watching
 from physsim.cli.verb import Example, Verb, debug_option, json_option, set_option, settings
 from physsim.errors import ExpectationFailed, Problem
+from physsim.uncollected import imported_for_good
 
 
 @click.command(
@@ -90,8 +91,9 @@ def command(
     """
     import logging
 
-    from physsim.scene import load_scene
-    from physsim.simulation import check_expectations, run
+    with imported_for_good():
+        from physsim.scene import load_scene
+        from physsim.simulation import check_expectations, run
 
     logging.getLogger("physsim").setLevel(logging.ERROR if quiet else logging.WARNING)
     file = Path(target) if target is not None else Path(f"{Path(scene).stem}.h5")
