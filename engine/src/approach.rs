@@ -6,7 +6,7 @@
 //! pass each other drop out on the way.
 
 use crate::body::Body;
-use crate::collide::{Detector, Found, Job, Oracle};
+use crate::collide::{Detector, Found, Job, Oracle, Stretch, STRETCH};
 use crate::contact::{relative_velocity, Contact, Meeting};
 use crate::impact::{normal_acceleration, touching_instant, Rules};
 use crate::math::rotation_from_vector;
@@ -22,8 +22,6 @@ const NEAR: f64 = 0.01;
 const TOUCHING: f64 = 1e-6;
 /// Looks at most on the way to touching.
 const ROUNDS: usize = 12;
-/// Points that are worth handing to another thread.
-const STRETCH: usize = 200;
 
 /// The world as it stands when a step begins.
 pub struct StepStart<'a> {
@@ -72,8 +70,7 @@ enum Chase {
 #[derive(Default)]
 pub struct Approach {
     pursuits: Vec<Pursuit>,
-    first: Vec<Found>,
-    /// At the first point of a job, the instant at which one of its points is hit.
+    /// Of each job, the instant at which one of its points is hit.
     touches: Vec<f64>,
     jobs: Vec<Job>,
 }
@@ -91,18 +88,17 @@ impl Approach {
         oracle: &mut dyn Oracle,
         out: &mut Vec<Contact>,
     ) -> Result<bool, String> {
-        std::mem::swap(&mut self.first, &mut detector.found);
-        let found = &self.first;
+        let stretches = detector.stretches();
         // Contacts of the step before are written over.
-        out.resize_with(count_near(found), Contact::default);
+        out.resize_with(count_near(stretches), Contact::default);
         self.touches.clear();
-        self.touches.resize(found.len(), f64::INFINITY);
-        start.survey_all(jobs, found, &mut self.touches, out);
+        self.touches.resize(jobs.len(), f64::INFINITY);
+        start.survey_all(jobs, (0, stretches), &mut self.touches, out);
         self.pursuits.clear();
-        for (found, &instant) in found.iter().zip(&self.touches) {
+        for (job, &instant) in (0..).zip(&self.touches) {
             if instant > 0.0 && instant.is_finite() {
                 self.pursuits.push(Pursuit {
-                    job: found.job,
+                    job,
                     instant,
                     state: Chase::Open,
                 });
@@ -134,7 +130,7 @@ impl Approach {
             detector.run(start.geoms, &self.jobs, start.settings.fcl_only, oracle)?;
             let mut open = false;
             out.truncate(hits);
-            for points in detector.found.chunk_by(|a, b| a.job == b.job) {
+            for points in detector.stretches().iter().flat_map(Stretch::answers) {
                 let pursuit = &mut self.pursuits[points[0].job as usize];
                 let job = &jobs[pursuit.job as usize];
                 let before = out.len();
@@ -175,15 +171,8 @@ impl Approach {
 }
 
 /// Points that nearly touch.
-fn count_near(found: &[Found]) -> usize {
-    found.iter().filter(|f| f.near).count()
-}
-
-/// The first border between two jobs in the second half, or the end.
-fn middle_between_jobs(found: &[Found]) -> usize {
-    let half = found.len() / 2;
-    let job = found[half - 1].job;
-    half + found[half..].partition_point(|f| f.job == job)
+fn count_near(stretches: &[Stretch]) -> usize {
+    stretches.iter().map(Stretch::near).sum()
 }
 
 impl StepStart<'_> {
@@ -244,33 +233,34 @@ impl StepStart<'_> {
         earliest
     }
 
-    /// The same for all points found at the start of the step, some jobs at once: contacts to `out`, and each job's
-    /// first instant to the place of its first point.
-    fn survey_all(&self, jobs: &[Job], found: &[Found], touches: &mut [f64], out: &mut [Contact]) {
-        let middle = if found.len() > STRETCH {
-            middle_between_jobs(found)
-        } else {
-            found.len()
-        };
-        if middle < found.len() {
-            let (a, b) = found.split_at(middle);
-            let (touches_a, touches_b) = touches.split_at_mut(middle);
+    /// The same for all points found at the start of the step, some stretches of jobs at once: contacts to `out`, and each
+    /// job's first instant to its place in `touches`. The first of these stretches has this number.
+    fn survey_all(
+        &self,
+        jobs: &[Job],
+        (first, stretches): (usize, &[Stretch]),
+        touches: &mut [f64],
+        out: &mut [Contact],
+    ) {
+        if stretches.len() > 1 {
+            let half = stretches.len() / 2;
+            let (a, b) = stretches.split_at(half);
+            let (touches_a, touches_b) = touches.split_at_mut(half * STRETCH);
             let (out_a, out_b) = out.split_at_mut(count_near(a));
             both(
-                || self.survey_all(jobs, a, touches_a, out_a),
-                || self.survey_all(jobs, b, touches_b, out_b),
+                || self.survey_all(jobs, (first, a), touches_a, out_a),
+                || self.survey_all(jobs, (first + half, b), touches_b, out_b),
             );
             return;
         }
-        let (mut places, mut first) = (out.iter_mut(), 0);
-        for points in found.chunk_by(|a, b| a.job == b.job) {
-            let job = &jobs[points[0].job as usize];
-            touches[first] = self.survey(job, points, 0.0, &mut |c| {
+        let mut places = out.iter_mut();
+        for points in stretches.iter().flat_map(Stretch::answers) {
+            let job = points[0].job as usize;
+            touches[job - first * STRETCH] = self.survey(&jobs[job], points, 0.0, &mut |c| {
                 if let Some(place) = places.next() {
                     *place = c;
                 }
             });
-            first += points.len();
         }
     }
 

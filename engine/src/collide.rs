@@ -84,37 +84,38 @@ pub struct Found {
 }
 
 /// Jobs that are done at a stretch.
-const STRETCH: usize = 64;
+pub(crate) const STRETCH: usize = 64;
 
 /// Runs jobs; keeps its working memory.
 #[derive(Default)]
 pub struct Detector {
-    /// One for each stretch of jobs.
-    probes: Vec<Probe>,
-    scratch: Scratch,
-    points: Vec<ContactPoint>,
+    /// Those of the last run come first.
+    stretches: Vec<Stretch>,
+    used: usize,
     triangles: Vec<u32>,
     queries: Vec<Query>,
     asked_for: Vec<u32>,
     answers: Vec<Option<Answer>>,
-    /// Points of the last run, ordered by job.
-    pub found: Vec<Found>,
 }
 
 /// Does a stretch of jobs.
 #[derive(Default)]
-struct Probe {
+pub(crate) struct Stretch {
     scratch: Scratch,
     points: Vec<ContactPoint>,
+    /// Points of the last run, ordered by job.
     found: Vec<Found>,
+    /// How many of them nearly touch.
+    near: usize,
     /// Jobs that are left to FCL.
     unanswered: Vec<u32>,
 }
 
-impl Probe {
+impl Stretch {
     /// Do the jobs of these indices.
     fn run(&mut self, geoms: &[Geom], jobs: &[Job], range: Range<usize>, fcl_only: bool) {
         self.found.clear();
+        self.near = 0;
         self.unanswered.clear();
         for (index, job) in (index(range.start)..).zip(&jobs[range]) {
             self.points.clear();
@@ -127,25 +128,29 @@ impl Probe {
                 narrowphase::collide(a, pose_a, b, pose_b, margin, scratch, points)
             };
             match verdict {
-                Verdict::Answered => {
-                    let (near, points) = (near_depth(geoms, job.geoms), self.points.iter());
-                    self.found
-                        .extend(points.map(|&point| Found::new(index, near, point)));
-                }
+                Verdict::Answered => self.keep(index, near_depth(geoms, job.geoms)),
                 Verdict::AskFcl => self.unanswered.push(index),
             }
         }
     }
-}
 
-impl Found {
-    /// Nearly touching from the depth `near` on.
-    fn new(job: u32, near: f64, point: ContactPoint) -> Self {
-        Self {
-            job,
-            near: point.depth > near,
-            point,
+    /// The points at hand answer this job; from the depth `near` on they nearly touch.
+    fn keep(&mut self, job: u32, near: f64) {
+        for &point in &self.points {
+            let near = point.depth > near;
+            self.near += usize::from(near);
+            self.found.push(Found { job, near, point });
         }
+    }
+
+    /// How many points nearly touch.
+    pub(crate) fn near(&self) -> usize {
+        self.near
+    }
+
+    /// Points, job by job.
+    pub(crate) fn answers(&self) -> impl Iterator<Item = &[Found]> {
+        self.found.chunk_by(|a, b| a.job == b.job)
     }
 }
 
@@ -161,7 +166,7 @@ fn shapes<'a>(geoms: &'a [Geom], job: &Job) -> (&'a Shape, &'a Shape) {
 }
 
 impl Detector {
-    /// Answer all jobs into `self.found`.
+    /// Answer all jobs.
     ///
     /// # Errors
     /// The oracle's message.
@@ -172,27 +177,25 @@ impl Detector {
         fcl_only: bool,
         oracle: &mut dyn Oracle,
     ) -> Result<(), String> {
-        self.found.clear();
-        self.queries.clear();
-        self.asked_for.clear();
-        let stretches = jobs.len().div_ceil(STRETCH);
-        if self.probes.len() < stretches {
-            self.probes.resize_with(stretches, Probe::default);
+        self.used = jobs.len().div_ceil(STRETCH);
+        if self.stretches.len() < self.used {
+            self.stretches.resize_with(self.used, Stretch::default);
         }
-        let probes = &mut self.probes[..stretches];
-        divide((probes, 0..stretches), 1, &|(probes, range): (
-            &mut [Probe],
+        let stretches = &mut self.stretches[..self.used];
+        divide((stretches, 0..self.used), 1, &|(stretches, range): (
+            &mut [Stretch],
             Range<usize>,
         )| {
-            for (probe, k) in probes.iter_mut().zip(range) {
+            for (stretch, k) in stretches.iter_mut().zip(range) {
                 let end = jobs.len().min((k + 1) * STRETCH);
-                probe.run(geoms, jobs, k * STRETCH..end, fcl_only);
+                stretch.run(geoms, jobs, k * STRETCH..end, fcl_only);
             }
         });
-        for k in 0..stretches {
-            self.found.extend_from_slice(&self.probes[k].found);
-            for n in 0..self.probes[k].unanswered.len() {
-                let index = self.probes[k].unanswered[n];
+        self.queries.clear();
+        self.asked_for.clear();
+        for k in 0..self.used {
+            for n in 0..self.stretches[k].unanswered.len() {
+                let index = self.stretches[k].unanswered[n];
                 let job = &jobs[index as usize];
                 self.enqueue(index, job, shapes(geoms, job));
             }
@@ -201,9 +204,21 @@ impl Detector {
             return Ok(());
         }
         self.consult(geoms, oracle)?;
-        // Sorted by job, the points of a job in the order in which they were found: the sort is stable.
-        self.found.sort_by_key(|f| f.job);
+        for stretch in &mut self.stretches[..self.used] {
+            // Sorted by job, the points of a job in the order in which they were found: the sort is stable.
+            stretch.found.sort_by_key(|f| f.job);
+        }
         Ok(())
+    }
+
+    /// Jobs of the last run, stretch by stretch.
+    pub(crate) fn stretches(&self) -> &[Stretch] {
+        &self.stretches[..self.used]
+    }
+
+    /// Points of the last run, ordered by job.
+    pub fn found(&self) -> impl Iterator<Item = &Found> {
+        self.stretches().iter().flat_map(|stretch| &stretch.found)
     }
 
     /// A mesh is asked for triangle by triangle: only there do depth and normal mean something.
@@ -251,7 +266,8 @@ impl Detector {
             }
             answered = Some(job);
             let (a, b) = query.geoms;
-            self.points.clear();
+            let stretch = &mut self.stretches[job as usize / STRETCH];
+            stretch.points.clear();
             narrowphase::manifold(
                 &geoms[a as usize].shape,
                 &query.poses.0,
@@ -260,15 +276,10 @@ impl Detector {
                 answer.normal,
                 answer.position,
                 query.margin,
-                &mut self.scratch,
-                &mut self.points,
+                &mut stretch.scratch,
+                &mut stretch.points,
             );
-            let near = near_depth(geoms, query.geoms);
-            self.found.extend(
-                self.points
-                    .iter()
-                    .map(|&point| Found::new(job, near, point)),
-            );
+            stretch.keep(job, near_depth(geoms, query.geoms));
         }
         Ok(())
     }

@@ -236,7 +236,7 @@ impl PyWorld {
             return Err(failure(Failure::Oracle(text), callback));
         }
         let out = PyDict::new(py);
-        let points = || detector.found.iter().map(|f| &f.point);
+        let points = || detector.found().map(|f| &f.point);
         out.set_item(
             "position",
             table(py, points().map(|p| p.position.to_array()))?,

@@ -140,7 +140,7 @@ impl World {
         self.detector
             .run(&self.geoms, &[job], self.settings.fcl_only, oracle)
             .map_err(Failure::Oracle)?;
-        let depths = self.detector.found.iter().map(|f| f.point.depth);
+        let depths = self.detector.found().map(|f| f.point.depth);
         Ok(depths.reduce(f64::max).map(|depth| -depth))
     }
 

@@ -47,7 +47,7 @@ impl World {
             let coefficients = self.pairs.get(a.material, b.material);
             Meeting::new((i, j), (a, b), &self.bodies, centres, coefficients).contact(&found.point)
         };
-        Ok(self.detector.found.iter().map(contact).collect())
+        Ok(self.detector.found().map(contact).collect())
     }
 
     /// True when a pair of shapes that may meet has no kernel here.
