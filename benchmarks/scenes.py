@@ -192,6 +192,7 @@ SCENES: dict[str, Callable[[], Scene]] = {
     "free10000": lambda: free(10_000),
     "free1": lambda: free(1),
     "small": small,
+    "free1000": lambda: free(1000),
     "spheres100": lambda: spheres(100),
     "spheres8000": lambda: spheres(8000),
     "spheres30000": lambda: spheres(30_000),

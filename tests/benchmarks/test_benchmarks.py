@@ -68,7 +68,13 @@ def stored(tmp_path: Path) -> Path:
 def test_what_the_pages_name_is_there() -> None:
     pages = [REPOSITORY / "README.md", REPOSITORY / "CONTRIBUTING.md", *(REPOSITORY / "docs").glob("*.md")]
     named = {name for page in pages for name in NAMED.findall(page.read_text(encoding="utf-8"))}
-    assert {"benchmarks", "benchmarks.scaling", "benchmarks.threads", "benchmarks.instructions"} <= named
+    assert {
+        "benchmarks",
+        "benchmarks.scaling",
+        "benchmarks.threads",
+        "benchmarks.recording",
+        "benchmarks.instructions",
+    } <= named
     for module in sorted(named):
         assert said(module, "--help").startswith(f"usage: python -m {module}")
 
@@ -114,6 +120,14 @@ def test_growth(tmp_path: Path) -> None:
     said("benchmarks.scaling", "--scenes", "free", "--counts", "10", "--json", str(lines))
     (line,) = json.loads(lines.read_text())
     assert (line["scene"], line["bodies"], line["contacts"]) == ("free", 10, 0)
+
+
+def test_recording() -> None:
+    heads, line = cells(
+        said("benchmarks.recording", "--scenes", "small", "--duration", "0.1", "--rounds", "1")
+    )
+    assert heads[:3] == ["scene", "on the wall", "processor"]
+    assert (len(line), line[0]) == (len(heads), "small")
 
 
 def test_threads_have_the_same_bits() -> None:
