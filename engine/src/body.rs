@@ -91,8 +91,10 @@ impl MassProperties {
                 let across = inverse[(k + 1) % 3];
                 let axis = (orientation * self.axes) * DVec3::AXES[k];
                 let more = axis * (inverse[k] - across);
-                let dyad = DMat3::from_cols(more * axis.x, more * axis.y, more * axis.z);
-                DMat3::from_diagonal(DVec3::splat(across)) + dyad
+                symmetric(
+                    more * axis + DVec3::splat(across),
+                    (more.x * axis.y, more.x * axis.z, more.y * axis.z),
+                )
             }
             Symmetry::None => {
                 let principal = if self.axes == DQuat::IDENTITY {
@@ -111,11 +113,16 @@ fn symmetric_product(r: &DMat3, d: DVec3) -> DMat3 {
     let rows = r.transpose();
     let (a, b, c) = (rows.x_axis, rows.y_axis, rows.z_axis);
     let (da, db) = (a * d, b * d);
-    let (xy, xz, yz) = (da.dot(b), da.dot(c), db.dot(c));
+    let diagonal = DVec3::new(da.dot(a), db.dot(b), (c * d).dot(c));
+    symmetric(diagonal, (da.dot(b), da.dot(c), db.dot(c)))
+}
+
+/// From its diagonal, and xy, xz, yz.
+fn symmetric(diagonal: DVec3, (xy, xz, yz): (f64, f64, f64)) -> DMat3 {
     DMat3::from_cols(
-        DVec3::new(da.dot(a), xy, xz),
-        DVec3::new(xy, db.dot(b), yz),
-        DVec3::new(xz, yz, (c * d).dot(c)),
+        DVec3::new(diagonal.x, xy, xz),
+        DVec3::new(xy, diagonal.y, yz),
+        DVec3::new(xz, yz, diagonal.z),
     )
 }
 

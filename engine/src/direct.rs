@@ -361,7 +361,7 @@ fn has_inertia(mover: &Mover) -> bool {
 }
 
 fn asked_of(p: &Point, part: Part) -> DVec3 {
-    let limit = p.friction * p.impulse.x;
+    let limit = p.cone.friction * p.impulse.x;
     if p.impulse.x <= 0.0 {
         DVec3::ZERO
     } else if part == Part::All && length(p.impulse.y, p.impulse.z) < limit * (1.0 - RIM) {
@@ -373,12 +373,12 @@ fn asked_of(p: &Point, part: Part) -> DVec3 {
 
 /// C^-1 of the rows that are asked for.
 fn stiffness(p: &Point, asked: DVec3) -> DVec3 {
-    asked / (p.k * COMPLIANCE + DVec3::X * p.give)
+    asked / (p.k() * COMPLIANCE + DVec3::X * p.cone.give)
 }
 
 /// r
 fn missing(p: &Point, movers: &[Mover]) -> DVec3 {
-    -DVec3::X * (p.give * p.impulse.x) - p.velocity(movers)
+    -DVec3::X * (p.cone.give * p.impulse.x) - p.velocity(movers)
 }
 
 /// diag(m 1, I)

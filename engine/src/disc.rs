@@ -1,44 +1,94 @@
-//! The disc that bounds friction, solved in closed form.
+//! The disc that bounds friction, solved in closed form; for one contact, or for several abreast.
 
-use crate::math::length;
+use crate::lanes::{Mask, Real};
+
+/// A vector in the plane of contact.
+pub(crate) type Pair<T> = (T, T);
 
 /// The tangential impulse that stops the slip, or the one on the rim of the disc that opposes the slip that is left.
 ///
 /// With K = diag(k) and b the slip without friction: p = -K^-1 b where |p| <= radius; else slip and impulse are
-/// antiparallel, K p + b = -s p with s > 0 and |p| = radius, so p_i = -b_i / (k_i + s). The secular equation
-/// |p(s)| = radius is solved by Newton on 1/|p|, which is nearly linear in s (More & Sorensen 1983).
-pub(crate) fn friction_in_disc(b: (f64, f64), k: (f64, f64), radius: f64) -> (f64, f64) {
+/// antiparallel, K p + b = -s p with s > 0 and |p| = radius, so p_i = -b_i / (k_i + s). Where both k are the same, or lost
+/// beside s, p is antiparallel to b.
+#[inline(always)]
+pub(crate) fn friction_in_disc<T: Real>(b: Pair<T>, k: Pair<T>, radius: T) -> Pair<T> {
     let stop = (-b.0 / k.0, -b.1 / k.1);
-    if stop.0 * stop.0 + stop.1 * stop.1 <= radius * radius {
+    let outside = is_inside(stop, radius).not();
+    if !outside.any() {
         return stop;
     }
-    if radius <= 0.0 {
-        return (0.0, 0.0);
-    }
-    let slip = length(b.0, b.1);
-    if radius * k.0.max(k.1) <= 1e-17 * slip {
-        // K is lost beside s; of impulses that fade away over many steps the squares would underflow below.
-        return (-b.0 / slip * radius, -b.1 / slip * radius);
-    }
-    let mut s = (slip / radius - k.0.max(k.1)).max(0.0);
+    let slip = length(b);
+    let scale = radius / slip;
+    let against = (-b.0 * scale, -b.1 * scale);
+    let askew = ((k.0 - k.1).abs() * radius)
+        .within(slip * slip.constant(1e-17))
+        .not();
+    let rim = on_the_rim(b, k, (radius, slip), outside.and(askew));
+    let zero = radius.constant(0.0);
+    let none = radius.within(zero);
+    let choose = |stop, against, rim| {
+        let slides = none.select(zero, askew.select(rim, against));
+        outside.select(slides, stop)
+    };
+    (
+        choose(stop.0, against.0, rim.0),
+        choose(stop.1, against.1, rim.1),
+    )
+}
+
+/// The secular equation |p(s)| = radius of those that are `open`, by Newton on 1/|p|, which is nearly linear in s (More &
+/// Sorensen 1983):
+///
+/// ```text
+/// s -> s + (|p| - radius) / radius  |p|^2 / (p_1^2 / (k_1 + s) + p_2^2 / (k_2 + s))
+/// ```
+///
+/// from where it is for small differences of k: s = |b| / radius less the mean of k along b.
+#[inline(always)]
+fn on_the_rim<T: Real>(
+    b: Pair<T>,
+    k: Pair<T>,
+    (radius, slip): (T, T),
+    mut open: T::Mask,
+) -> Pair<T> {
+    let along = (b.0 / slip, b.1 / slip);
+    let mean = k.0 * along.0 * along.0 + k.1 * along.1 * along.1;
+    let mut s = (slip / radius - mean).max(slip.constant(0.0));
     for _ in 0..20 {
-        let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
-        let size = length(p.0, p.1);
-        let slope = -(p.0 * p.0 / (k.0 + s) + p.1 * p.1 / (k.1 + s)) / size;
-        let move_by = (size - radius) / radius * size / slope;
-        s -= move_by;
-        if move_by.abs() <= 1e-14 * (k.0 + s) {
+        if !open.any() {
             break;
         }
+        let give = (s.constant(1.0) / (k.0 + s), s.constant(1.0) / (k.1 + s));
+        let p = (b.0 * give.0, b.1 * give.1);
+        let squares = (p.0 * p.0, p.1 * p.1);
+        let square = squares.0 + squares.1;
+        let size = square.sqrt();
+        let slope = squares.0 * give.0 + squares.1 * give.1;
+        let move_by = (size - radius) * square / (radius * slope);
+        s = open.select((s + move_by).max(s.constant(0.0)), s);
+        // It converges quadratically.
+        let found = (move_by.abs() * give.0).within(s.constant(1e-8));
+        open = open.and(found.not());
     }
     let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
-    let scale = radius / length(p.0, p.1);
+    let scale = radius / length(p);
     (p.0 * scale, p.1 * scale)
+}
+
+#[inline(always)]
+pub(crate) fn is_inside<T: Real>(p: Pair<T>, radius: T) -> T::Mask {
+    (p.0 * p.0 + p.1 * p.1).within(radius * radius)
+}
+
+#[inline(always)]
+fn length<T: Real>(p: Pair<T>) -> T {
+    (p.0 * p.0 + p.1 * p.1).sqrt()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::length;
 
     #[test]
     fn friction_stops_the_slip_inside_the_disc() {

@@ -12,7 +12,6 @@ use glam::DVec3;
 
 use crate::islands::Islands;
 use crate::mover::Window;
-use crate::point::Point;
 use crate::team::both;
 
 /// Contacts of a part that is not cut again.
@@ -30,9 +29,9 @@ pub(crate) struct Block {
 /// that is not cut has no halves. The first half follows its part, the second one is farther on.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Layer {
-    points: (usize, usize),
+    pub(crate) points: (usize, usize),
     movers: usize,
-    second: usize,
+    pub(crate) second: usize,
 }
 
 impl Layer {
@@ -245,19 +244,19 @@ fn longest_extent(bodies: &[u32], plan: &Plan) -> DVec3 {
     DVec3::AXES[extent.max_position()]
 }
 
-/// Visit the contacts of a part, forwards or backwards, its halves at once; returns the greatest of what the visits
+/// Visit the lists of a part, forwards or backwards, its halves at once; returns the greatest of what the visits
 /// return.
-pub(crate) fn visit(
+pub(crate) fn visit<T: Send>(
     parts: &[Layer],
-    points: &mut [Point],
+    list: &mut [T],
     mut movers: Window,
     backwards: bool,
-    one: &(impl Fn(&mut Point, &mut Window) -> f64 + Sync),
+    one: &(impl Fn(&mut [T], &mut Window) -> f64 + Sync),
 ) -> f64 {
     let part = parts[0];
-    let (halves, own) = points.split_at_mut(part.points.0 + part.points.1);
+    let (halves, own) = list.split_at_mut(part.points.0 + part.points.1);
     let before = if backwards {
-        visit_in_turn(own, &mut movers, true, one)
+        one(own, &mut movers)
     } else {
         0.0
     };
@@ -272,23 +271,7 @@ pub(crate) fn visit(
         worst = worst.max(a).max(b);
     }
     if !backwards {
-        worst = worst.max(visit_in_turn(own, &mut movers, false, one));
-    }
-    worst
-}
-
-fn visit_in_turn(
-    points: &mut [Point],
-    movers: &mut Window,
-    backwards: bool,
-    one: &(impl Fn(&mut Point, &mut Window) -> f64 + Sync),
-) -> f64 {
-    let mut worst = 0.0_f64;
-    let mut each = |p: &mut Point| worst = worst.max(one(p, movers));
-    if backwards {
-        points.iter_mut().rev().for_each(&mut each);
-    } else {
-        points.iter_mut().for_each(&mut each);
+        worst = worst.max(one(own, &mut movers));
     }
     worst
 }

@@ -4,8 +4,8 @@ use std::ops::Index;
 
 use glam::DVec3;
 
+use crate::cone::Cone;
 use crate::contact::{Contact, Friction};
-use crate::disc::friction_in_disc;
 use crate::math::length;
 use crate::mover::{Movers, Moving, Part, Twist};
 use crate::roll::Roll;
@@ -17,20 +17,12 @@ pub(crate) struct Point {
     kinetic: bool,
     /// It touches at no more than the speed up to which friction counts as static.
     pub(crate) quiet: bool,
-    normal: DVec3,
-    tangent_1: DVec3,
-    tangent_2: DVec3,
-    arms: (DVec3, DVec3),
+    /// Normal and tangents.
+    pub(crate) axes: [DVec3; 3],
+    pub(crate) arms: (DVec3, DVec3),
     /// What the bodies' relative velocity lacks of the one asked about: belts and turning on, less the target.
-    offset: DVec3,
-    /// Diagonal of K: normal, tangent 1, tangent 2 [1/kg].
-    pub(crate) k: DVec3,
-    /// 1 / (k + give) of the normal, 1 / k of the tangents.
-    inverse: DVec3,
-    k_coupling: (f64, f64),
-    pub(crate) give: f64,
-    /// mu of the solve at hand.
-    pub(crate) friction: f64,
+    pub(crate) offset: DVec3,
+    pub(crate) cone: Cone<f64>,
     kinetic_friction: f64,
     /// Normal, tangent 1, tangent 2 [N s].
     pub(crate) impulse: DVec3,
@@ -45,16 +37,16 @@ impl Point {
             bodies,
             kinetic: c.friction == Friction::Kinetic,
             quiet: c.velocity_before.length() <= quiet_speed,
-            normal: c.normal,
-            tangent_1: c.tangent_1,
-            tangent_2: c.tangent_2,
+            axes: [c.normal, c.tangent_1, c.tangent_2],
             arms: c.arms,
             offset: c.surface + c.ahead - DVec3::X * c.target,
-            k,
-            inverse: 1.0 / (k + DVec3::X * c.give),
-            k_coupling: c.k_coupling,
-            give: c.give,
-            friction: c.friction_coefficient(),
+            cone: Cone {
+                k: k.to_array(),
+                inverse: (1.0 / (k + DVec3::X * c.give)).to_array(),
+                k_coupling: c.k_coupling,
+                give: c.give,
+                friction: c.friction_coefficient(),
+            },
             kinetic_friction: c.coefficients.kinetic_friction,
             impulse: c.impulse,
             roll: None,
@@ -78,17 +70,14 @@ impl Point {
     }
 
     pub(crate) fn to_world(&self, local: DVec3) -> DVec3 {
-        self.normal * local.x + self.tangent_1 * local.y + self.tangent_2 * local.z
+        let [normal, tangent_1, tangent_2] = self.axes;
+        normal * local.x + tangent_1 * local.y + tangent_2 * local.z
     }
 
     /// Relative velocity of two twists along normal and tangents [m/s].
     pub(crate) fn relative(&self, a: &Twist, b: &Twist) -> DVec3 {
         let u = a.at(self.arms.0) - b.at(self.arms.1);
-        DVec3::new(
-            u.dot(self.normal),
-            u.dot(self.tangent_1),
-            u.dot(self.tangent_2),
-        )
+        DVec3::from_array(self.axes.map(|axis| u.dot(axis)))
     }
 
     /// What the velocity is beyond the target, along the normal, and the slip along the tangents [m/s].
@@ -127,10 +116,9 @@ impl Point {
     /// Rows of J for both bodies, velocity and angular velocity: normal, tangent 1, tangent 2.
     pub(crate) fn rows(&self) -> ([[f64; 6]; 3], [[f64; 6]; 3]) {
         let row = |d: DVec3, arm: DVec3| coordinates(d, arm.cross(d));
-        let axes = [self.normal, self.tangent_1, self.tangent_2];
         (
-            axes.map(|d| row(d, self.arms.0)),
-            axes.map(|d| row(-d, self.arms.1)),
+            self.axes.map(|d| row(d, self.arms.0)),
+            self.axes.map(|d| row(-d, self.arms.1)),
         )
     }
 
@@ -156,34 +144,16 @@ impl Point {
     pub(crate) fn solve(&mut self, movers: &mut (impl Movers + ?Sized), part: Part) -> f64 {
         let u = self.velocity(movers);
         let old = self.impulse;
-        let normal = (old.x - (u.x + self.give * old.x) * self.inverse.x).max(0.0);
-        if normal == 0.0 && old == DVec3::ZERO {
-            return 0.0; // open, and stays so
-        }
-        let change = normal - old.x;
-        let (p1, p2) = match part {
-            Part::Normals => (old.y, old.z),
-            Part::All => {
-                // Slip with the new normal impulse and the old friction.
-                let slip_1 = u.y + self.k_coupling.0 * change;
-                let slip_2 = u.z + self.k_coupling.1 * change;
-                let stop = (
-                    old.y - slip_1 * self.inverse.y,
-                    old.z - slip_2 * self.inverse.z,
-                );
-                let radius = self.friction * normal;
-                if stop.0 * stop.0 + stop.1 * stop.1 <= radius * radius {
-                    stop
-                } else {
-                    let k = (self.k.y, self.k.z);
-                    friction_in_disc((slip_1 - k.0 * old.y, slip_2 - k.1 * old.z), k, radius)
-                }
-            }
-        };
-        self.impulse = DVec3::new(normal, p1, p2);
+        let new = self.cone.answer(u.to_array(), old.to_array(), part);
+        self.impulse = DVec3::from_array(new);
         let change = self.impulse - old;
         self.push(movers, change);
-        (change * self.k).abs().max_element()
+        (change * self.k()).abs().max_element()
+    }
+
+    /// Diagonal of K: normal, tangent 1, tangent 2 [1/kg].
+    pub(crate) fn k(&self) -> DVec3 {
+        DVec3::from_array(self.cone.k)
     }
 
     /// What of an impulse is allowed: no pull, and friction within the cone where it is solved for.
@@ -197,14 +167,14 @@ impl Point {
     /// The impulse brought into Coulomb's cone: no pull, friction shortened to mu times the normal impulse.
     fn in_cone(&self, impulse: DVec3) -> DVec3 {
         let normal = impulse.x.max(0.0);
-        let (limit, length) = (self.friction * normal, length(impulse.y, impulse.z));
+        let (limit, length) = (self.cone.friction * normal, length(impulse.y, impulse.z));
         let scale = if length > limit { limit / length } else { 1.0 };
         DVec3::new(normal, impulse.y * scale, impulse.z * scale)
     }
 
     /// Static and on the rim of the disc, but slips faster than `noticeable`: kinetic from now on.
     pub(crate) fn release(&mut self, movers: &(impl Movers + ?Sized), noticeable: f64) -> bool {
-        let full = self.friction * self.impulse.x;
+        let full = self.cone.friction * self.impulse.x;
         let held = length(self.impulse.y, self.impulse.z) < full * (1.0 - 1e-9);
         if self.kinetic || held || self.impulse.x == 0.0 {
             return false;
@@ -214,7 +184,7 @@ impl Point {
             return false;
         }
         self.kinetic = true;
-        self.friction = self.kinetic_friction;
+        self.cone.friction = self.kinetic_friction;
         true
     }
 
@@ -239,7 +209,7 @@ impl Point {
         let new = new(roll);
         let change = new - roll.impulse;
         roll.impulse = new;
-        let (q, speed) = (roll.to_world(change), roll.speed_of(change, self.k.x));
+        let (q, speed) = (roll.to_world(change), roll.speed_of(change, self.cone.k[0]));
         self.turn(movers, q);
         speed
     }

@@ -33,12 +33,15 @@ use crate::islands::{index, Islands};
 use crate::joint::Row;
 use crate::layout::{visit, Block, Layer, Layout, Plan};
 use crate::mover::{Mover, Part, Twist, Window};
+use crate::pack::Packs;
 use crate::point::Point;
 use crate::subspace::Subspace;
 use crate::team::{both, each_with, fill, gather};
 
 /// Sweeps between two linear solves; twice as many where these are not exact.
 const SWEEPS: usize = 2;
+/// Sweeps over an island before its contacts are put into packs, which costs as much as they save in a few.
+const PACKING: usize = 4;
 /// Passes of all linear solves together, per sweep allowed. With fewer a pyramid of 210 boxes does not come to rest.
 const PASSES: usize = 6;
 /// A linear solve goes on until its residual is this part of what it was: its guess of which contacts carry is seldom
@@ -174,6 +177,11 @@ pub struct Solver {
 /// Solves one island after the other.
 #[derive(Debug, Default)]
 struct Worker {
+    /// Sweeps over the island at hand.
+    swept: usize,
+    /// It has joints or rolling friction.
+    coupled: bool,
+    packs: Packs,
     /// Impulses before the last leap.
     kept: Vec<DVec3>,
     subspace: Subspace,
@@ -491,6 +499,8 @@ impl Worker {
         let coupled = system.joints.is_some() || system.points.iter().any(|p| p.roll.is_some());
         let krylov = coupled || limits.tolerance < DIGITS;
         (self.leap, self.wrong) = (krylov.then_some(Leap::Krylov), 0);
+        self.packs.clear();
+        (self.swept, self.coupled) = (0, coupled);
         system.push();
         system.hold_joints();
         if system.points.is_empty() {
@@ -508,6 +518,7 @@ impl Worker {
     fn release(&mut self, system: &mut System, limits: Limits) -> Report {
         let mut report = self.iterate(system, Part::Normals, limits.share(3));
         report = report.then(self.iterate(system, Part::All, limits.share(3)));
+        self.packs.hand_back(system.points);
         while report.iterations < limits.iterations {
             let noticeable = 10.0 * report.residual.max(limits.tolerance);
             let released = system.release_slipping(noticeable);
@@ -519,6 +530,7 @@ impl Worker {
                 ..limits
             };
             report = report.then(self.iterate(system, Part::All, left));
+            self.packs.hand_back(system.points);
         }
         report
     }
@@ -540,12 +552,17 @@ impl Worker {
         };
         loop {
             let sweeps = patience.min(limits.iterations - iterations);
-            let (mut residual, made) =
-                system.sweeps(part, iterations, (sweeps, limits.tolerance), ASTRAY * start);
+            let (mut residual, made) = self.sweeps(
+                system,
+                (part, iterations),
+                (sweeps, limits.tolerance),
+                ASTRAY * start,
+            );
             iterations += made;
             let converged = residual < limits.tolerance;
             let wrong = residual > start && !converged;
             if wrong {
+                self.packs.hand_back(system.points);
                 system.set_impulses(&self.kept);
                 residual = start;
             }
@@ -564,6 +581,7 @@ impl Worker {
                 self.discourage();
             } else if self.may_leap(system) {
                 start = residual;
+                self.packs.hand_back(system.points);
                 self.kept.clear();
                 self.kept.extend(system.impulses());
                 passes -= self.leap(system, part, passes, (residual, limits));
@@ -580,6 +598,38 @@ impl Worker {
                 }
             }
         }
+    }
+
+    /// So many sweeps, the first of which is the `first` of all; less when one changes less than the tolerance or more
+    /// than `astray`. Every other sweep goes backwards: what a stack passes on reaches both its ends. Returns the last
+    /// one's residual, and how many were made.
+    fn sweeps(
+        &mut self,
+        system: &mut System,
+        (part, first): (Part, usize),
+        (most, tolerance): (usize, f64),
+        astray: f64,
+    ) -> (f64, usize) {
+        let (mut residual, mut made) = (f64::INFINITY, 0);
+        while made < most {
+            made += 1;
+            let backwards = (first + made) % 2 == 0;
+            if self.swept == PACKING && !self.coupled {
+                self.packs
+                    .arrange(system.parts, system.points, system.movers);
+            }
+            self.swept += 1;
+            residual = if self.packs.are_used() {
+                self.packs
+                    .sweep((system.points, system.movers), part, backwards)
+            } else {
+                system.sweep(part, backwards)
+            };
+            if residual < tolerance || residual > astray {
+                break;
+            }
+        }
+        (residual, made)
     }
 
     /// Guesses that are dear are given up when they are wrong again and again.
@@ -692,10 +742,12 @@ impl System<'_> {
     /// Bodies get the impulses that contacts begin with.
     fn push(&mut self) {
         let movers = Window::new(self.movers);
-        visit(self.parts, self.points, movers, false, &|p, movers| {
-            p.push(movers, p.impulse);
-            if let Some(roll) = &p.roll {
-                p.turn(movers, roll.to_world(roll.impulse));
+        visit(self.parts, self.points, movers, false, &|list, movers| {
+            for p in list.iter() {
+                p.push(movers, p.impulse);
+                if let Some(roll) = &p.roll {
+                    p.turn(movers, roll.to_world(roll.impulse));
+                }
             }
             0.0
         });
@@ -717,7 +769,7 @@ impl System<'_> {
             let change = p.allowed(p.impulse, part) - p.impulse;
             p.impulse += change;
             p.push(self.movers, change);
-            worst = worst.max((change * p.k).abs().max_element());
+            worst = worst.max((change * p.k()).abs().max_element());
         }
         worst
     }
@@ -738,36 +790,33 @@ impl System<'_> {
         self.hold_joints();
     }
 
-    /// So many sweeps, the first of which is the `first` of all; less when one changes less than the tolerance or more
-    /// than `astray`. Returns the last one's residual, and how many were made.
-    fn sweeps(
-        &mut self,
-        part: Part,
-        first: usize,
-        (most, tolerance): (usize, f64),
-        astray: f64,
-    ) -> (f64, usize) {
-        for made in 1..=most {
-            let residual = self.sweep(part, (first + made) % 2 == 0);
-            if residual < tolerance || residual > astray || made == most {
-                return (residual, made);
-            }
-        }
-        (f64::INFINITY, 0)
-    }
-
-    /// One sweep; returns the greatest change of a relative velocity [m/s]. Every other sweep goes backwards: what a
-    /// stack passes on reaches both its ends.
+    /// One sweep; returns the greatest change of a relative velocity [m/s].
     fn sweep(&mut self, part: Part, backwards: bool) -> f64 {
         let movers = Window::new(self.movers);
-        let worst = visit(self.parts, self.points, movers, backwards, &|p, movers| {
+        let one = |p: &mut Point, movers: &mut Window| {
             let change = p.solve(movers, part);
             if part == Part::All {
                 change.max(p.solve_roll(movers))
             } else {
                 change
             }
-        });
+        };
+        let worst = visit(
+            self.parts,
+            self.points,
+            movers,
+            backwards,
+            &|list, movers| {
+                let mut worst = 0.0_f64;
+                let mut each = |p: &mut Point| worst = worst.max(one(p, movers));
+                if backwards {
+                    list.iter_mut().rev().for_each(&mut each);
+                } else {
+                    list.iter_mut().for_each(&mut each);
+                }
+                worst
+            },
+        );
         self.hold_joints();
         worst
     }

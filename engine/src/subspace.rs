@@ -42,7 +42,7 @@ struct Freedom {
 
 impl Freedom {
     fn of(c: &Point, part: Part) -> Self {
-        let limit = c.friction * c.impulse.x;
+        let limit = c.cone.friction * c.impulse.x;
         let rubbing = length(c.impulse.y, c.impulse.z);
         let (asked, along) = if c.impulse.x <= 0.0 {
             (DVec3::ZERO, DVec3::ZERO)
@@ -58,7 +58,7 @@ impl Freedom {
         } else {
             (DVec3::X, DVec3::ZERO)
         };
-        let k = c.k;
+        let k = c.k();
         Self {
             asked,
             along,
@@ -167,7 +167,7 @@ impl Subspace {
         first.clear();
         for c in system.points.iter() {
             let freedom = Freedom::of(c, part);
-            let missing = DVec3::X * (-c.give * c.impulse.x) - c.velocity(system.movers);
+            let missing = DVec3::X * (-c.cone.give * c.impulse.x) - c.velocity(system.movers);
             first.push(missing * freedom.asked * freedom.scale);
             self.freedom.push(freedom);
         }
@@ -268,7 +268,7 @@ impl Subspace {
         out.clear();
         let mut unknowns = self.freedom.iter().zip(&self.basis[from]);
         for (c, (freedom, &unknown)) in system.points.iter().zip(&mut unknowns) {
-            let given = DVec3::X * (c.give * unknown.x * freedom.scale.x);
+            let given = DVec3::X * (c.cone.give * unknown.x * freedom.scale.x);
             let change = c.relative(&self.responses[c.a()], &self.responses[c.b()]) + given;
             out.push(change * freedom.asked * freedom.scale + unknown * DAMPING);
         }

@@ -25,6 +25,6 @@ pub use row::{End, Row};
 #[cfg(test)]
 mod drive_tests;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 #[cfg(test)]
 mod tests;

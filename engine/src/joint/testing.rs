@@ -7,22 +7,22 @@ use crate::body::{Body, MassProperties, State};
 use crate::math::rotation_from_vector;
 
 /// Numbers that look random and are the same every time (Lehmer, Park and Miller 1988: 16807 modulo 2^31 - 1).
-pub(super) struct Numbers(pub(super) u64);
+pub(crate) struct Numbers(pub(crate) u64);
 
 impl Numbers {
     /// In -1 .. 1.
     #[allow(clippy::cast_precision_loss)]
-    pub(super) fn next(&mut self) -> f64 {
+    pub(crate) fn next(&mut self) -> f64 {
         self.0 = self.0 * 16_807 % 2_147_483_647;
         2.0 * self.0 as f64 / 2_147_483_647.0 - 1.0
     }
 
-    pub(super) fn vector(&mut self) -> DVec3 {
+    pub(crate) fn vector(&mut self) -> DVec3 {
         DVec3::new(self.next(), self.next(), self.next())
     }
 
     /// A rotation by up to `size` about each axis.
-    pub(super) fn rotation(&mut self, size: f64) -> DQuat {
+    pub(crate) fn rotation(&mut self, size: f64) -> DQuat {
         rotation_from_vector(size * self.vector())
     }
 }
