@@ -1,6 +1,6 @@
 //! Coulomb's cone: the exact answer of one contact with all others held; for one, or for several abreast.
 
-use crate::disc::{friction_in_disc, is_inside, Pair};
+use crate::disc::{friction_on_rim, is_inside, Pair};
 use crate::lanes::{Mask, Real};
 use crate::mover::Part;
 
@@ -48,7 +48,7 @@ impl<T: Real> Cone<T> {
         }
         let k = (self.k[1], self.k[2]);
         let without = (slip.0 - k.0 * old[1], slip.1 - k.1 * old[2]);
-        let rim = friction_in_disc(without, k, radius);
+        let rim = friction_on_rim(without, k, radius, slides);
         [
             normal,
             slides.select(rim.0, stop.0),

@@ -5,39 +5,53 @@ use crate::lanes::{Mask, Real};
 /// A vector in the plane of contact.
 pub(crate) type Pair<T> = (T, T);
 
-/// The tangential impulse that stops the slip, or the one on the rim of the disc that opposes the slip that is left.
-///
-/// With K = diag(k) and b the slip without friction: p = -K^-1 b where |p| <= radius; else slip and impulse are
-/// antiparallel, K p + b = -s p with s > 0 and |p| = radius, so p_i = -b_i / (k_i + s). Where both k are the same, or lost
-/// beside s, p is antiparallel to b.
-#[inline(always)]
+/// The tangential impulse that stops the slip, or the one on the rim of the disc that opposes the slip that is left;
+/// with K = diag(k) and b the slip without friction, p = -K^-1 b where |p| <= radius.
 pub(crate) fn friction_in_disc<T: Real>(b: Pair<T>, k: Pair<T>, radius: T) -> Pair<T> {
     let stop = (-b.0 / k.0, -b.1 / k.1);
-    let outside = is_inside(stop, radius).not();
-    if !outside.any() {
+    let slides = is_inside(stop, radius).not();
+    if !slides.any() {
         return stop;
     }
+    let rim = friction_on_rim(b, k, radius, slides);
+    (slides.select(rim.0, stop.0), slides.select(rim.1, stop.1))
+}
+
+/// The impulse on the rim, of those that slide.
+///
+/// Slip and impulse are antiparallel, K p + b = -s p with s > 0 and |p| = radius, so p_i = -b_i / (k_i + s). Where both k
+/// are the same, or lost beside s, p is antiparallel to b.
+#[inline(always)]
+pub(crate) fn friction_on_rim<T: Real>(
+    b: Pair<T>,
+    k: Pair<T>,
+    radius: T,
+    slides: T::Mask,
+) -> Pair<T> {
+    let zero = radius.constant(0.0);
     let slip = length(b);
-    let scale = radius / slip;
-    let against = (-b.0 * scale, -b.1 * scale);
     let askew = ((k.0 - k.1).abs() * radius)
         .within(slip * slip.constant(1e-17))
         .not();
-    let rim = on_the_rim(b, k, (radius, slip), outside.and(askew));
-    let zero = radius.constant(0.0);
-    let none = radius.within(zero);
-    let choose = |stop, against, rim| {
-        let slides = none.select(zero, askew.select(rim, against));
-        outside.select(slides, stop)
+    let open = slides.and(askew);
+    let d = if open.any() {
+        let s = root_of_secular_equation(b, k, (radius, slip), open);
+        let d = direction(b, (k.0 + s, k.1 + s));
+        (open.select(d.0, b.0), open.select(d.1, b.1))
+    } else {
+        b
     };
-    (
-        choose(stop.0, against.0, rim.0),
-        choose(stop.1, against.1, rim.1),
-    )
+    let scale = radius.within(zero).select(zero, -radius / length(d));
+    (d.0 * scale, d.1 * scale)
 }
 
-/// The secular equation |p(s)| = radius of those that are `open`, by Newton on 1/|p|, which is nearly linear in s (More &
-/// Sorensen 1983):
+/// Along (b_1 / k_1, b_2 / k_2).
+#[inline(always)]
+fn direction<T: Real>(b: Pair<T>, k: Pair<T>) -> Pair<T> {
+    (b.0 * k.1, b.1 * k.0)
+}
+
+/// Of |p(s)| = radius, for those that are `open`, by Newton on 1/|p|, which is nearly linear in s (More & Sorensen 1983):
 ///
 /// ```text
 /// s -> s + (|p| - radius) / radius  |p|^2 / (p_1^2 / (k_1 + s) + p_2^2 / (k_2 + s))
@@ -45,34 +59,34 @@ pub(crate) fn friction_in_disc<T: Real>(b: Pair<T>, k: Pair<T>, radius: T) -> Pa
 ///
 /// from where it is for small differences of k: s = |b| / radius less the mean of k along b.
 #[inline(always)]
-fn on_the_rim<T: Real>(
+fn root_of_secular_equation<T: Real>(
     b: Pair<T>,
     k: Pair<T>,
     (radius, slip): (T, T),
     mut open: T::Mask,
-) -> Pair<T> {
-    let along = (b.0 / slip, b.1 / slip);
-    let mean = k.0 * along.0 * along.0 + k.1 * along.1 * along.1;
+) -> T {
+    let one = slip.constant(1.0);
+    let (squares, square) = ((b.0 * b.0, b.1 * b.1), slip * slip);
+    let mean = (k.0 * squares.0 + k.1 * squares.1) / square;
     let mut s = (slip / radius - mean).max(slip.constant(0.0));
     for _ in 0..20 {
-        if !open.any() {
-            break;
-        }
-        let give = (s.constant(1.0) / (k.0 + s), s.constant(1.0) / (k.1 + s));
+        let (one_s, two_s) = (k.0 + s, k.1 + s);
+        let both = one / (one_s * two_s);
+        let give = (two_s * both, one_s * both);
         let p = (b.0 * give.0, b.1 * give.1);
         let squares = (p.0 * p.0, p.1 * p.1);
         let square = squares.0 + squares.1;
-        let size = square.sqrt();
         let slope = squares.0 * give.0 + squares.1 * give.1;
-        let move_by = (size - radius) * square / (radius * slope);
+        let move_by = (square.sqrt() - radius) * square / (radius * slope);
         s = open.select((s + move_by).max(s.constant(0.0)), s);
         // It converges quadratically.
         let found = (move_by.abs() * give.0).within(s.constant(1e-8));
         open = open.and(found.not());
+        if !open.any() {
+            break;
+        }
     }
-    let p = (-b.0 / (k.0 + s), -b.1 / (k.1 + s));
-    let scale = radius / length(p);
-    (p.0 * scale, p.1 * scale)
+    s
 }
 
 #[inline(always)]

@@ -130,6 +130,18 @@ impl<S: Simd> Lanes<S> {
     }
 }
 
+/// Columns of a square whose rows these are.
+#[inline(always)]
+pub(crate) fn transposed<S: Simd>(rows: [Lanes<S>; WIDTH]) -> [Lanes<S>; WIDTH] {
+    let simd = rows[0].simd;
+    let [a, b, c, d] = rows.map(Lanes::store);
+    let pairs = |a: Four, b: Four| ([a[0], b[0], a[2], b[2]], [a[1], b[1], a[3], b[3]]);
+    let ((even, odd), (even_2, odd_2)) = (pairs(a, b), pairs(c, d));
+    let halves = |a: Four, b: Four| ([a[0], a[1], b[0], b[1]], [a[2], a[3], b[2], b[3]]);
+    let ((first, third), (second, fourth)) = (halves(even, even_2), halves(odd, odd_2));
+    [first, second, third, fourth].map(|column| Lanes::load(simd, column))
+}
+
 impl<S: Simd> Real for Lanes<S> {
     type Mask = Verdicts<S>;
 
@@ -249,9 +261,8 @@ impl<S: Simd> Vectors<S> {
     }
 
     #[inline(always)]
-    pub(crate) fn store(self) -> [DVec3; WIDTH] {
-        let [x, y, z] = [self.x.store(), self.y.store(), self.z.store()];
-        std::array::from_fn(|k| DVec3::new(x[k], y[k], z[k]))
+    pub(crate) fn coordinates(self) -> [Lanes<S>; 3] {
+        [self.x, self.y, self.z]
     }
 
     #[inline(always)]

@@ -246,12 +246,12 @@ fn longest_extent(bodies: &[u32], plan: &Plan) -> DVec3 {
 
 /// Visit the lists of a part, forwards or backwards, its halves at once; returns the greatest of what the visits
 /// return.
-pub(crate) fn visit<T: Send>(
+pub(crate) fn visit<T: Send, B: Send>(
     parts: &[Layer],
     list: &mut [T],
-    mut movers: Window,
+    mut movers: Window<B>,
     backwards: bool,
-    one: &(impl Fn(&mut [T], &mut Window) -> f64 + Sync),
+    one: &(impl Fn(&mut [T], &mut Window<B>) -> f64 + Sync),
 ) -> f64 {
     let part = parts[0];
     let (halves, own) = list.split_at_mut(part.points.0 + part.points.1);

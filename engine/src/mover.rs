@@ -126,35 +126,37 @@ pub(crate) trait Movers: IndexMut<usize, Output = Mover> {}
 
 impl<T: IndexMut<usize, Output = Mover> + ?Sized> Movers for T {}
 
-/// Some of the movers that are solved together, by their index among them all.
-pub(crate) struct Window<'a> {
+/// Some of the bodies that are solved together, by their index among them all.
+pub(crate) struct Window<'a, T = Mover> {
     first: usize,
-    movers: &'a mut [Mover],
+    bodies: &'a mut [T],
 }
 
-impl<'a> Window<'a> {
-    pub(crate) fn new(movers: &'a mut [Mover]) -> Self {
-        Self { first: 0, movers }
+impl<'a, T> Window<'a, T> {
+    pub(crate) fn new(bodies: &'a mut [T]) -> Self {
+        Self { first: 0, bodies }
     }
 
     /// The first so many of them, and the others.
-    pub(crate) fn halves(&mut self, middle: usize) -> (Window<'_>, Window<'_>) {
-        let (a, b) = self.movers.split_at_mut(middle);
-        let window = |first, movers| Window { first, movers };
+    pub(crate) fn halves(&mut self, middle: usize) -> (Window<'_, T>, Window<'_, T>) {
+        let (a, b) = self.bodies.split_at_mut(middle);
+        let window = |first, bodies| Window { first, bodies };
         (window(self.first, a), window(self.first + middle, b))
     }
 }
 
-impl Index<usize> for Window<'_> {
-    type Output = Mover;
+impl<T> Index<usize> for Window<'_, T> {
+    type Output = T;
 
-    fn index(&self, index: usize) -> &Mover {
-        &self.movers[index - self.first]
+    #[inline(always)]
+    fn index(&self, index: usize) -> &T {
+        &self.bodies[index - self.first]
     }
 }
 
-impl IndexMut<usize> for Window<'_> {
-    fn index_mut(&mut self, index: usize) -> &mut Mover {
-        &mut self.movers[index - self.first]
+impl<T> IndexMut<usize> for Window<'_, T> {
+    #[inline(always)]
+    fn index_mut(&mut self, index: usize) -> &mut T {
+        &mut self.bodies[index - self.first]
     }
 }

@@ -7,9 +7,11 @@ use pulp::{Simd, WithSimd};
 
 use crate::cone::Cone;
 use crate::islands::index;
-use crate::lanes::{abreast, vectorised, Four, FourVectors, Lanes, Real, Vectors, WIDTH};
+use crate::lanes::{
+    abreast, transposed, vectorised, Four, FourVectors, Lanes, Real, Vectors, WIDTH,
+};
 use crate::layout::{visit, Layer};
-use crate::mover::{Mover, Part, Window};
+use crate::mover::{Mover, Part, Twist, Window};
 use crate::point::Point;
 use crate::schedule::{Bunch, Schedule};
 
@@ -26,7 +28,9 @@ pub(crate) struct Packs {
     packs: Vec<Pack>,
     /// Which contacts are in them.
     schedule: Schedule,
-    /// Impulses are here, those in the contacts are of before.
+    /// How the bodies move.
+    motions: Vec<Motion>,
+    /// Impulses and motions are here, those of contacts and bodies are of before.
     hold: bool,
 }
 
@@ -79,11 +83,14 @@ impl Packs {
         }
     }
 
-    /// Impulses and friction, from the contacts, where they are.
-    fn load(&mut self, points: &[Point]) {
+    /// Impulses and friction from the contacts, motions from the bodies, where they are.
+    fn load(&mut self, points: &[Point], movers: &[Mover]) {
         if std::mem::replace(&mut self.hold, true) {
             return;
         }
+        self.motions.clear();
+        self.motions
+            .extend(movers.iter().map(|m| Motion::of(&m.twist)));
         for (pack, bunch) in self.packs.iter_mut().zip(&self.schedule.bunches) {
             for (lane, slot) in bunch.members() {
                 let p = &points[slot];
@@ -95,10 +102,13 @@ impl Packs {
         }
     }
 
-    /// Impulses, back to the contacts.
-    pub(crate) fn hand_back(&mut self, points: &mut [Point]) {
+    /// Impulses and motions, back to contacts and bodies.
+    pub(crate) fn hand_back(&mut self, points: &mut [Point], movers: &mut [Mover]) {
         if !std::mem::replace(&mut self.hold, false) {
             return;
+        }
+        for (mover, motion) in movers.iter_mut().zip(&self.motions) {
+            mover.twist = motion.twist();
         }
         for (pack, bunch) in self.packs.iter().zip(&self.schedule.bunches) {
             for (lane, slot) in bunch.members() {
@@ -107,37 +117,32 @@ impl Packs {
         }
     }
 
-    /// One sweep; returns the greatest change of a relative velocity [m/s]. Impulses are then here until they are handed
-    /// back.
+    /// One sweep; returns the greatest change of a relative velocity [m/s]. Impulses and motions are then here until they
+    /// are handed back.
     pub(crate) fn sweep(
         &mut self,
-        (points, movers): (&[Point], &mut [Mover]),
+        (points, movers): (&[Point], &[Mover]),
         part: Part,
         backwards: bool,
     ) -> f64 {
-        self.load(points);
-        let movers = Window::new(movers);
-        visit(
-            &self.layers,
-            &mut self.packs,
-            movers,
-            backwards,
-            &|packs, movers| {
-                vectorised(Sweep {
-                    packs,
-                    movers,
-                    part,
-                    backwards,
-                })
-            },
-        )
+        self.load(points, movers);
+        let motions = Window::new(&mut self.motions);
+        let (layers, packs) = (&self.layers, &mut self.packs);
+        visit(layers, packs, motions, backwards, &|packs, motions| {
+            vectorised(Sweep {
+                packs,
+                motions,
+                part,
+                backwards,
+            })
+        })
     }
 }
 
 /// Packs one after the other.
 struct Sweep<'a, 'b> {
     packs: &'a mut [Pack],
-    movers: &'a mut Window<'b>,
+    motions: &'a mut Window<'b, Motion>,
     part: Part,
     backwards: bool,
 }
@@ -152,7 +157,7 @@ impl WithSimd for Sweep<'_, '_> {
         let count = self.packs.len();
         for k in 0..count {
             let place = if self.backwards { count - 1 - k } else { k };
-            worst = worst.max(self.packs[place].solve(simd, self.movers, self.part));
+            worst = worst.max(self.packs[place].solve(simd, self.motions, self.part));
         }
         worst.store().into_iter().fold(0.0, f64::max)
     }
@@ -180,11 +185,31 @@ struct Side {
     inverse_inertia: [Four; 6],
 }
 
+/// How a body moves: velocity, angular velocity, and two numbers that are not used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+struct Motion([Four; 2]);
+
 /// How the bodies at a side move.
 #[derive(Clone, Copy)]
 struct Twists<S: Simd> {
     velocity: Vectors<S>,
     angular_velocity: Vectors<S>,
+}
+
+impl Motion {
+    fn of(twist: &Twist) -> Self {
+        let (v, w) = (twist.velocity, twist.angular_velocity);
+        Self([[v.x, v.y, v.z, w.x], [w.y, w.z, 0.0, 0.0]])
+    }
+
+    fn twist(&self) -> Twist {
+        let [[vx, vy, vz, wx], [wy, wz, ..]] = self.0;
+        Twist {
+            velocity: DVec3::new(vx, vy, vz),
+            angular_velocity: DVec3::new(wx, wy, wz),
+        }
+    }
 }
 
 impl Pack {
@@ -219,10 +244,10 @@ impl Pack {
 
     /// The exact answer of each contact, all others held; returns the changes of their velocities [m/s].
     #[inline(always)]
-    fn solve<S: Simd>(&mut self, simd: S, movers: &mut Window, part: Part) -> Lanes<S> {
+    fn solve<S: Simd>(&mut self, simd: S, motions: &mut Window<Motion>, part: Part) -> Lanes<S> {
         let number = |numbers| Lanes::load(simd, numbers);
         let [a, b] = &self.sides;
-        let twists = [a.twists(simd, movers), b.twists(simd, movers)];
+        let twists = [a.twists(simd, motions), b.twists(simd, motions)];
         let arms = [a.arms, b.arms].map(|arms| Vectors::load(simd, arms));
         let axes = self.axes.map(|axis| Vectors::load(simd, axis));
         let cone = self.cone.map(number);
@@ -233,8 +258,8 @@ impl Pack {
         let change: [_; 3] = from_fn(|k| new[k] - old[k]);
         self.impulse = new.map(Lanes::store);
         let p = axes[0] * change[0] + axes[1] * change[1] + axes[2] * change[2];
-        a.push(simd, movers, twists[0], (p, arms[0].cross(p)));
-        b.push(simd, movers, twists[1], (-p, arms[1].cross(-p)));
+        a.push(simd, motions, twists[0], (p, arms[0].cross(p)));
+        b.push(simd, motions, twists[1], (-p, arms[1].cross(-p)));
         let speeds: [_; 3] = from_fn(|k| (change[k] * cone.k[k]).abs());
         speeds[0].max(speeds[1]).max(speeds[2])
     }
@@ -253,12 +278,13 @@ impl Side {
     }
 
     #[inline(always)]
-    fn twists<S: Simd>(&self, simd: S, movers: &Window) -> Twists<S> {
-        let twists = self.bodies.map(|k| &movers[k as usize].twist);
-        let vectors = |vectors| Vectors::load(simd, abreast(vectors));
+    fn twists<S: Simd>(&self, simd: S, motions: &Window<Motion>) -> Twists<S> {
+        let rows = self.bodies.map(|k| motions[k as usize].0);
+        let columns = |half: usize| transposed(rows.map(|row| Lanes::load(simd, row[half])));
+        let ([vx, vy, vz, wx], [wy, wz, ..]) = (columns(0), columns(1));
         Twists {
-            velocity: vectors(twists.map(|t| t.velocity)),
-            angular_velocity: vectors(twists.map(|t| t.angular_velocity)),
+            velocity: Vectors::new([vx, vy, vz]),
+            angular_velocity: Vectors::new([wx, wy, wz]),
         }
     }
 
@@ -268,18 +294,22 @@ impl Side {
     fn push<S: Simd>(
         &self,
         simd: S,
-        movers: &mut Window,
+        motions: &mut Window<Motion>,
         twists: Twists<S>,
         (p, q): (Vectors<S>, Vectors<S>),
     ) {
         let inverse_mass = Lanes::load(simd, self.inverse_mass);
         let inverse_inertia = self.inverse_inertia.map(|row| Lanes::load(simd, row));
-        let velocity = (twists.velocity + p * inverse_mass).store();
-        let angular_velocity = (twists.angular_velocity + q.transformed(inverse_inertia)).store();
+        let velocity = twists.velocity + p * inverse_mass;
+        let angular_velocity = twists.angular_velocity + q.transformed(inverse_inertia);
+        let ([vx, vy, vz], [wx, wy, wz]) = (velocity.coordinates(), angular_velocity.coordinates());
+        let none = wx.constant(0.0);
+        let (first, second) = (
+            transposed([vx, vy, vz, wx]).map(Lanes::store),
+            transposed([wy, wz, none, none]).map(Lanes::store),
+        );
         for lane in (0..WIDTH).rev() {
-            let twist = &mut movers[self.bodies[lane] as usize].twist;
-            twist.velocity = velocity[lane];
-            twist.angular_velocity = angular_velocity[lane];
+            motions[self.bodies[lane] as usize].0 = [first[lane], second[lane]];
         }
     }
 }
@@ -302,7 +332,6 @@ mod tests {
     use crate::joint::testing::Numbers;
     use crate::math::tangents;
     use crate::model::Coefficients;
-    use crate::mover::Twist;
 
     const BODIES: u32 = 60;
 
@@ -384,10 +413,10 @@ mod tests {
         for sweep in 0..12 {
             let (part, backwards) = ([Part::Normals, Part::All][sweep / 4 % 2], sweep % 2 == 1);
             let alone = one_by_one(&mut points, &mut movers, part, backwards);
-            let abreast = packs.sweep((&packed, &mut moved), part, backwards);
+            let abreast = packs.sweep((&packed, &moved), part, backwards);
             assert_eq!(abreast.to_bits(), alone.to_bits());
         }
-        packs.hand_back(&mut packed);
+        packs.hand_back(&mut packed, &mut moved);
         let impulses = |points: &[Point]| points.iter().map(|p| p.impulse).collect::<Vec<_>>();
         assert_eq!(impulses(&packed), impulses(&points));
         let twists = |movers: &[Mover]| movers.iter().map(|m| m.twist).collect::<Vec<_>>();
@@ -396,15 +425,15 @@ mod tests {
 
     #[test]
     fn without_vector_instructions_the_bits_are_the_same() {
-        let (points, mut movers) = heap();
+        let (points, movers) = heap();
         let mut packs = Packs::default();
         packs.arrange(&[Layer::WHOLE], &points, &movers);
-        packs.load(&points);
-        let (mut others, mut moved) = (packs.packs.clone(), movers.clone());
-        fn sweep(packs: &mut [Pack], movers: &mut [Mover], vectors: bool) -> f64 {
+        packs.load(&points, &movers);
+        let (mut others, mut moved) = (packs.packs.clone(), packs.motions.clone());
+        fn sweep(packs: &mut [Pack], motions: &mut [Motion], vectors: bool) -> f64 {
             let sweep = Sweep {
                 packs,
-                movers: &mut Window::new(movers),
+                motions: &mut Window::new(motions),
                 part: Part::All,
                 backwards: false,
             };
@@ -415,7 +444,7 @@ mod tests {
             }
         }
         for _ in 0..4 {
-            let with = sweep(&mut packs.packs, &mut movers, true);
+            let with = sweep(&mut packs.packs, &mut packs.motions, true);
             let without = sweep(&mut others, &mut moved, false);
             assert_eq!(with.to_bits(), without.to_bits());
         }

@@ -518,7 +518,7 @@ impl Worker {
     fn release(&mut self, system: &mut System, limits: Limits) -> Report {
         let mut report = self.iterate(system, Part::Normals, limits.share(3));
         report = report.then(self.iterate(system, Part::All, limits.share(3)));
-        self.packs.hand_back(system.points);
+        self.packs.hand_back(system.points, system.movers);
         while report.iterations < limits.iterations {
             let noticeable = 10.0 * report.residual.max(limits.tolerance);
             let released = system.release_slipping(noticeable);
@@ -530,7 +530,7 @@ impl Worker {
                 ..limits
             };
             report = report.then(self.iterate(system, Part::All, left));
-            self.packs.hand_back(system.points);
+            self.packs.hand_back(system.points, system.movers);
         }
         report
     }
@@ -562,7 +562,7 @@ impl Worker {
             let converged = residual < limits.tolerance;
             let wrong = residual > start && !converged;
             if wrong {
-                self.packs.hand_back(system.points);
+                self.packs.hand_back(system.points, system.movers);
                 system.set_impulses(&self.kept);
                 residual = start;
             }
@@ -581,7 +581,7 @@ impl Worker {
                 self.discourage();
             } else if self.may_leap(system) {
                 start = residual;
-                self.packs.hand_back(system.points);
+                self.packs.hand_back(system.points, system.movers);
                 self.kept.clear();
                 self.kept.extend(system.impulses());
                 passes -= self.leap(system, part, passes, (residual, limits));
