@@ -31,7 +31,7 @@ pub(crate) fn friction_on_rim<T: Real>(
     let zero = radius.constant(0.0);
     let slip = length(b);
     let askew = ((k.0 - k.1).abs() * radius)
-        .within(slip * slip.constant(1e-17))
+        .within(slip * slip.constant(1e-15))
         .not();
     let open = slides.and(askew);
     let d = if open.any() {

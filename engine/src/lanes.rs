@@ -261,6 +261,11 @@ impl<S: Simd> Vectors<S> {
     }
 
     #[inline(always)]
+    pub(crate) fn simd(&self) -> S {
+        self.x.simd
+    }
+
+    #[inline(always)]
     pub(crate) fn coordinates(self) -> [Lanes<S>; 3] {
         [self.x, self.y, self.z]
     }

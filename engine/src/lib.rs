@@ -38,6 +38,7 @@ pub mod shape;
 pub mod solver;
 mod subspace;
 pub mod team;
+mod twists;
 pub mod world;
 
 #[cfg(feature = "python")]

@@ -7,13 +7,12 @@ use pulp::{Simd, WithSimd};
 
 use crate::cone::Cone;
 use crate::islands::index;
-use crate::lanes::{
-    abreast, transposed, vectorised, Four, FourVectors, Lanes, Real, Vectors, WIDTH,
-};
+use crate::lanes::{abreast, vectorised, Four, FourVectors, Lanes, Real, Vectors, WIDTH};
 use crate::layout::{visit, Layer};
-use crate::mover::{Mover, Part, Twist, Window};
+use crate::mover::{Mover, Part, Window};
 use crate::point::Point;
 use crate::schedule::{Bunch, Schedule};
+use crate::twists::{Motion, Twists};
 
 /// Contacts that are worth being put into packs.
 const MANY: usize = 32;
@@ -185,33 +184,6 @@ struct Side {
     inverse_inertia: [Four; 6],
 }
 
-/// How a body moves: velocity, angular velocity, and two numbers that are not used.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(64))]
-struct Motion([Four; 2]);
-
-/// How the bodies at a side move.
-#[derive(Clone, Copy)]
-struct Twists<S: Simd> {
-    velocity: Vectors<S>,
-    angular_velocity: Vectors<S>,
-}
-
-impl Motion {
-    fn of(twist: &Twist) -> Self {
-        let (v, w) = (twist.velocity, twist.angular_velocity);
-        Self([[v.x, v.y, v.z, w.x], [w.y, w.z, 0.0, 0.0]])
-    }
-
-    fn twist(&self) -> Twist {
-        let [[vx, vy, vz, wx], [wy, wz, ..]] = self.0;
-        Twist {
-            velocity: DVec3::new(vx, vy, vz),
-            angular_velocity: DVec3::new(wx, wy, wz),
-        }
-    }
-}
-
 impl Pack {
     /// Of some contacts; impulses and friction are loaded later.
     fn of(bunch: &Bunch, points: &[Point], movers: &[Mover]) -> Self {
@@ -247,7 +219,7 @@ impl Pack {
     fn solve<S: Simd>(&mut self, simd: S, motions: &mut Window<Motion>, part: Part) -> Lanes<S> {
         let number = |numbers| Lanes::load(simd, numbers);
         let [a, b] = &self.sides;
-        let twists = [a.twists(simd, motions), b.twists(simd, motions)];
+        let twists = [a, b].map(|side| Twists::load(simd, motions, side.bodies));
         let arms = [a.arms, b.arms].map(|arms| Vectors::load(simd, arms));
         let axes = self.axes.map(|axis| Vectors::load(simd, axis));
         let cone = self.cone.map(number);
@@ -258,8 +230,8 @@ impl Pack {
         let change: [_; 3] = from_fn(|k| new[k] - old[k]);
         self.impulse = new.map(Lanes::store);
         let p = axes[0] * change[0] + axes[1] * change[1] + axes[2] * change[2];
-        a.push(simd, motions, twists[0], (p, arms[0].cross(p)));
-        b.push(simd, motions, twists[1], (-p, arms[1].cross(-p)));
+        a.push(motions, twists[0], (p, arms[0].cross(p)));
+        b.push(motions, twists[1], (-p, arms[1].cross(-p)));
         let speeds: [_; 3] = from_fn(|k| (change[k] * cone.k[k]).abs());
         speeds[0].max(speeds[1]).max(speeds[2])
     }
@@ -277,48 +249,22 @@ impl Side {
         }
     }
 
-    #[inline(always)]
-    fn twists<S: Simd>(&self, simd: S, motions: &Window<Motion>) -> Twists<S> {
-        let rows = self.bodies.map(|k| motions[k as usize].0);
-        let columns = |half: usize| transposed(rows.map(|row| Lanes::load(simd, row[half])));
-        let ([vx, vy, vz, wx], [wy, wz, ..]) = (columns(0), columns(1));
-        Twists {
-            velocity: Vectors::new([vx, vy, vz]),
-            angular_velocity: Vectors::new([wx, wy, wz]),
-        }
-    }
-
-    /// The bodies, which move so, get these impulses and angular impulses. The first lane comes last: lanes without a
-    /// contact have its body.
+    /// The bodies, which move so, get these impulses and angular impulses.
     #[inline(always)]
     fn push<S: Simd>(
         &self,
-        simd: S,
         motions: &mut Window<Motion>,
         twists: Twists<S>,
         (p, q): (Vectors<S>, Vectors<S>),
     ) {
+        let simd = p.simd();
         let inverse_mass = Lanes::load(simd, self.inverse_mass);
         let inverse_inertia = self.inverse_inertia.map(|row| Lanes::load(simd, row));
-        let velocity = twists.velocity + p * inverse_mass;
-        let angular_velocity = twists.angular_velocity + q.transformed(inverse_inertia);
-        let ([vx, vy, vz], [wx, wy, wz]) = (velocity.coordinates(), angular_velocity.coordinates());
-        let none = wx.constant(0.0);
-        let (first, second) = (
-            transposed([vx, vy, vz, wx]).map(Lanes::store),
-            transposed([wy, wz, none, none]).map(Lanes::store),
-        );
-        for lane in (0..WIDTH).rev() {
-            motions[self.bodies[lane] as usize].0 = [first[lane], second[lane]];
-        }
-    }
-}
-
-impl<S: Simd> Twists<S> {
-    /// v + omega x r
-    #[inline(always)]
-    fn at(&self, r: Vectors<S>) -> Vectors<S> {
-        self.velocity + self.angular_velocity.cross(r)
+        let pushed = Twists {
+            velocity: twists.velocity + p * inverse_mass,
+            angular_velocity: twists.angular_velocity + q.transformed(inverse_inertia),
+        };
+        pushed.store(motions, self.bodies);
     }
 }
 
@@ -332,6 +278,7 @@ mod tests {
     use crate::joint::testing::Numbers;
     use crate::math::tangents;
     use crate::model::Coefficients;
+    use crate::mover::Twist;
 
     const BODIES: u32 = 60;
 

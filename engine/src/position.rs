@@ -4,43 +4,36 @@
 //! for the others one that does not close them: n . d >= -g. Pseudo-impulses act through the same effective masses as
 //! real ones, so that the lighter body gives way; the displacements never enter a velocity.
 
+use std::array::from_fn;
+
 use glam::DVec3;
+use pulp::{Simd, WithSimd};
 
 use crate::body::Body;
 use crate::contact::Contact;
-use crate::mover::Twist;
+use crate::islands::index;
+use crate::lanes::{abreast, vectorised, Four, FourVectors, Lanes, Real, Vectors, WIDTH};
+use crate::mover::{Twist, Window};
+use crate::schedule::Schedule;
+use crate::twists::{Motion, Twists};
 
 /// Overlaps and gaps up to this are left as they are: what the solver's tolerance leaves in a step. All four corners
 /// of a resting box then ask for the same, and the solver need not choose among them [m].
 pub const SLOP: f64 = 1e-8;
 /// A sweep that moves nothing by more than this is the last, and a body that moved by less has not moved [m].
 const STILL: f64 = 0.01 * SLOP;
-const SWEEPS: usize = 30;
+const SWEEPS: u32 = 30;
 
 /// Working memory of the correction.
 #[derive(Clone, Debug, Default)]
 pub struct Correction {
     /// Displacement and rotation vector of each body.
-    shifts: Vec<Twist>,
+    shifts: Vec<Motion>,
     /// The last sweep in which each body moved.
     moved_in: Vec<u32>,
-    rows: Vec<Row>,
-}
-
-/// A contact as the sweeps see it: n . d = normal . (shift_A - shift_B) + turns . (turn_A, turn_B).
-#[derive(Clone, Copy, Debug)]
-struct Row {
-    bodies: (u32, u32),
-    normal: DVec3,
-    /// r x n on A and -(r x n) on B.
-    turns: (DVec3, DVec3),
-    /// What a unit push does: inverse masses (negative on B) and rotations.
-    given: ((f64, f64), (DVec3, DVec3)),
-    stiffness: f64,
-    /// 1 / stiffness
-    yielding: f64,
-    wanted: f64,
-    push: f64,
+    /// Which contacts are answered at once.
+    schedule: Schedule,
+    packs: Vec<Pack>,
 }
 
 impl Correction {
@@ -56,52 +49,60 @@ impl Correction {
         if gaps.iter().all(|&g| g >= -SLOP) {
             return false;
         }
-        self.rows.clear();
-        let rows = contacts.iter().zip(gaps);
-        self.rows
-            .extend(rows.map(|(c, &gap)| Row::new(c, bodies, wanted(gap, beta))));
+        self.schedule.begin(bodies.len());
+        for (slot, c) in (0..).zip(contacts) {
+            let both = [c.bodies.0, c.bodies.1].into_iter();
+            let moved = both.filter(|&body| !bodies[body].is_fixed());
+            self.schedule.put(slot, moved.map(index));
+        }
+        let row = |k: usize| Row::new(&contacts[k], bodies, wanted(gaps[k], beta));
+        let bunches = self.schedule.bunches.iter();
+        self.packs.clear();
+        self.packs
+            .extend(bunches.map(|bunch| Pack::of(bunch.filled().map(row), bunch.held())));
         self.shifts.clear();
-        self.shifts.resize(bodies.len(), Twist::default());
+        self.shifts.resize(bodies.len(), Motion::default());
         self.moved_in.clear();
         self.moved_in.resize(bodies.len(), 0);
-        for sweep in 1..=SWEEPS as u32 {
-            if self.sweep(sweep) < STILL {
-                break;
-            }
-        }
+        vectorised(Sweeps(self));
         for (body, shift) in bodies.iter_mut().zip(&self.shifts) {
-            if *shift != Twist::default() {
+            let shift = shift.twist();
+            if shift != Twist::default() {
                 body.displace(shift.velocity, shift.angular_velocity);
             }
         }
         true
     }
+}
 
-    /// One Gauss-Seidel sweep over the contacts of bodies that moved since the sweep before, over all in the first;
-    /// returns the greatest displacement made [m].
-    fn sweep(&mut self, sweep: u32) -> f64 {
-        let mut worst = 0.0_f64;
-        for row in &mut self.rows {
-            let (a, b) = (row.bodies.0 as usize, row.bodies.1 as usize);
-            if self.moved_in[a].max(self.moved_in[b]) + 1 < sweep {
-                continue;
+/// Gauss-Seidel sweeps until nothing moves any more.
+struct Sweeps<'a>(&'a mut Correction);
+
+impl WithSimd for Sweeps<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Correction {
+            shifts,
+            moved_in,
+            packs,
+            ..
+        } = self.0;
+        let mut shifts = Window::new(shifts);
+        for sweep in 1..=SWEEPS {
+            let mut worst = 0.0_f64;
+            for pack in &mut *packs {
+                if pack.stirs(moved_in, sweep) {
+                    let made = pack.solve(simd, &mut shifts);
+                    pack.note(moved_in, sweep, made);
+                    worst = made.into_iter().fold(worst, f64::max);
+                }
             }
-            let missing = row.wanted - row.made(&self.shifts[a], &self.shifts[b]);
-            let push = (row.push + missing * row.yielding).max(0.0);
-            let more = push - row.push;
-            if more == 0.0 {
-                continue;
+            if worst < STILL {
+                break;
             }
-            row.push = push;
-            row.give(more, &mut self.shifts);
-            let made = more.abs() * row.stiffness;
-            if made >= STILL {
-                self.moved_in[a] = sweep;
-                self.moved_in[b] = sweep;
-            }
-            worst = worst.max(made);
         }
-        worst
     }
 }
 
@@ -114,42 +115,110 @@ fn wanted(gap: f64, beta: f64) -> f64 {
     }
 }
 
+/// A contact as the sweeps see it: n . d = normal . (shift_A - shift_B) + turns . (turn_A, turn_B).
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    bodies: [u32; 2],
+    normal: DVec3,
+    /// r x n on A and -(r x n) on B.
+    turns: [DVec3; 2],
+    /// What a unit push does: inverse masses (negative on B) and rotations.
+    masses: [f64; 2],
+    turned: [DVec3; 2],
+    stiffness: f64,
+    wanted: f64,
+}
+
 impl Row {
     fn new(c: &Contact, bodies: &[Body], wanted: f64) -> Self {
         let (a, b) = (&bodies[c.bodies.0], &bodies[c.bodies.1]);
-        let turns = (c.arms.0.cross(c.normal), -c.arms.1.cross(c.normal));
-        #[allow(clippy::cast_possible_truncation)]
-        let index = |k: usize| k as u32;
+        let turns = [c.arms.0.cross(c.normal), -c.arms.1.cross(c.normal)];
         Self {
-            bodies: (index(c.bodies.0), index(c.bodies.1)),
+            bodies: [index(c.bodies.0), index(c.bodies.1)],
             normal: c.normal,
             turns,
-            given: (
-                (a.mass.inverse_mass, -b.mass.inverse_mass),
-                (a.inverse_inertia * turns.0, b.inverse_inertia * turns.1),
-            ),
+            masses: [a.mass.inverse_mass, -b.mass.inverse_mass],
+            turned: [a.inverse_inertia * turns[0], b.inverse_inertia * turns[1]],
             stiffness: c.k_normal,
-            yielding: 1.0 / c.k_normal,
             wanted,
-            push: 0.0,
+        }
+    }
+}
+
+/// Four contacts, no two of which have a moving body in common.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Pack {
+    bodies: [[u32; WIDTH]; 2],
+    normal: FourVectors,
+    turns: [FourVectors; 2],
+    masses: [Four; 2],
+    turned: [FourVectors; 2],
+    stiffness: Four,
+    /// 1 / stiffness; 0 in lanes that only repeat the first.
+    yielding: Four,
+    wanted: Four,
+    push: Four,
+}
+
+impl Pack {
+    fn of(rows: [Row; WIDTH], held: [bool; WIDTH]) -> Self {
+        Self {
+            bodies: from_fn(|side| rows.map(|row| row.bodies[side])),
+            normal: abreast(rows.map(|row| row.normal)),
+            turns: from_fn(|side| abreast(rows.map(|row| row.turns[side]))),
+            masses: from_fn(|side| rows.map(|row| row.masses[side])),
+            turned: from_fn(|side| abreast(rows.map(|row| row.turned[side]))),
+            stiffness: rows.map(|row| row.stiffness),
+            yielding: from_fn(|lane| f64::from(u8::from(held[lane])) / rows[lane].stiffness),
+            wanted: rows.map(|row| row.wanted),
+            push: [0.0; WIDTH],
         }
     }
 
-    fn made(&self, a: &Twist, b: &Twist) -> f64 {
-        self.normal.dot(a.velocity - b.velocity)
-            + self.turns.0.dot(a.angular_velocity)
-            + self.turns.1.dot(b.angular_velocity)
+    /// Has one of the bodies moved since the sweep before? At first all are looked at.
+    #[inline(always)]
+    fn stirs(&self, moved_in: &[u32], sweep: u32) -> bool {
+        let mut bodies = self.bodies.iter().flatten();
+        bodies.any(|&body| moved_in[body as usize] + 1 >= sweep)
     }
 
-    fn give(&self, push: f64, shifts: &mut [Twist]) {
-        let ((mass_a, mass_b), (turn_a, turn_b)) = self.given;
-        for (k, mass, turn) in [
-            (self.bodies.0, mass_a, turn_a),
-            (self.bodies.1, mass_b, turn_b),
-        ] {
-            let shift = &mut shifts[k as usize];
-            shift.velocity += self.normal * (push * mass);
-            shift.angular_velocity += turn * push;
+    /// The exact push of each contact, all others held; returns the displacements made [m].
+    #[inline(always)]
+    fn solve<S: Simd>(&mut self, simd: S, shifts: &mut Window<Motion>) -> Four {
+        let number = |numbers| Lanes::load(simd, numbers);
+        let vectors = |vectors| Vectors::load(simd, vectors);
+        let (normal, turns) = (vectors(self.normal), self.turns.map(vectors));
+        let [a, b] = self.bodies.map(|four| Twists::load(simd, shifts, four));
+        let made = normal.dot(a.velocity - b.velocity)
+            + turns[0].dot(a.angular_velocity)
+            + turns[1].dot(b.angular_velocity);
+        let missing = number(self.wanted) - made;
+        let old = number(self.push);
+        let push = (old + missing * number(self.yielding)).max(old.constant(0.0));
+        let more = push - old;
+        self.push = push.store();
+        for (side, shift) in [a, b].into_iter().enumerate() {
+            let shifted = Twists {
+                velocity: shift.velocity + normal * (more * number(self.masses[side])),
+                angular_velocity: shift.angular_velocity + vectors(self.turned[side]) * more,
+            };
+            shifted.store(shifts, self.bodies[side]);
+        }
+        (more.abs() * number(self.stiffness)).store()
+    }
+
+    /// Who moved.
+    #[inline(always)]
+    fn note(&self, moved_in: &mut [u32], sweep: u32, made: Four) {
+        for (lane, made) in made.into_iter().enumerate() {
+            if made >= STILL {
+                for (bodies, masses) in self.bodies.iter().zip(&self.masses) {
+                    if masses[lane] != 0.0 {
+                        moved_in[bodies[lane] as usize] = sweep;
+                    }
+                }
+            }
         }
     }
 }
