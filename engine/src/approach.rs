@@ -134,7 +134,10 @@ impl Approach {
                 let pursuit = &mut self.pursuits[points[0].job as usize];
                 let job = &jobs[pursuit.job as usize];
                 let before = out.len();
-                let next = start.survey(job, points, pursuit.instant, &mut |c| out.push(c));
+                let near = points.iter().filter(|f| f.near).count();
+                out.resize_with(before + near, Contact::default);
+                let places = &mut out[before..].iter_mut();
+                let next = start.survey(job, points, pursuit.instant, places);
                 start.advance(pursuit, job, points, next);
                 open |= pursuit.state == Chase::Open;
                 if pursuit.state == Chase::Missed {
@@ -217,18 +220,24 @@ impl StepStart<'_> {
         Job { poses, ..*job }
     }
 
-    /// Contacts at those of the points, found with both bodies where they are at the instant `t`, that nearly touch.
-    /// Returns the first instant at which one of the points is hit, infinite when none is.
-    fn survey(&self, job: &Job, points: &[Found], t: f64, out: &mut impl FnMut(Contact)) -> f64 {
+    /// Contacts at those of the points, found with both bodies where they are at the instant `t`, that nearly touch, each to
+    /// the next of the `places`. Returns the first instant at which one of the points is hit, infinite when none is.
+    fn survey<'a>(
+        &self,
+        job: &Job,
+        points: &[Found],
+        t: f64,
+        places: &mut impl Iterator<Item = &'a mut Contact>,
+    ) -> f64 {
         let meeting = self.meeting(job, t);
         let mut earliest = f64::INFINITY;
         for found in points {
-            let c = self.contact(&meeting, &found.point, t);
-            let touch = touching_instant(&c, self.bodies, self.accelerations, &self.rules);
+            let mut far = None;
+            let place = if found.near { places.next() } else { None };
+            let c = place.unwrap_or_else(|| far.insert(Contact::default()));
+            self.put(&meeting, &found.point, t, c);
+            let touch = touching_instant(c, self.bodies, self.accelerations, &self.rules);
             earliest = earliest.min(touch);
-            if found.near {
-                out(c);
-            }
         }
         earliest
     }
@@ -256,11 +265,7 @@ impl StepStart<'_> {
         let mut places = out.iter_mut();
         for points in stretches.iter().flat_map(Stretch::answers) {
             let job = points[0].job as usize;
-            touches[job - first * STRETCH] = self.survey(&jobs[job], points, 0.0, &mut |c| {
-                if let Some(place) = places.next() {
-                    *place = c;
-                }
-            });
+            touches[job - first * STRETCH] = self.survey(&jobs[job], points, 0.0, &mut places);
         }
     }
 
@@ -275,16 +280,15 @@ impl StepStart<'_> {
         Meeting::new(job.geoms, (a, b), self.bodies, centres, coefficients)
     }
 
-    /// A contact at a point found at the instant `t`. Its gap is traced back along the paths to the start of the step.
-    fn contact(&self, meeting: &Meeting, point: &ContactPoint, t: f64) -> Contact {
-        let mut c = meeting.contact(point);
+    /// A contact becomes the one at a point found at the instant `t`. Its gap is traced back along the paths to the start of the step.
+    fn put(&self, meeting: &Meeting, point: &ContactPoint, t: f64, c: &mut Contact) {
+        meeting.put(point, c);
         c.noise = self.noise[c.bodies.0].max(self.noise[c.bodies.1]);
         if t > 0.0 {
-            let fall = normal_acceleration(&c, self.accelerations) * self.fall(t);
+            let fall = normal_acceleration(c, self.accelerations) * self.fall(t);
             c.gap -= relative_velocity(self.bodies, c.bodies, c.arms).dot(c.normal) * t + fall;
             c.instant = t;
         }
-        c
     }
 
     /// One look at a pursued pair, whose points were found at its instant and are hit at `next`: touching, missed, or

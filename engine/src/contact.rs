@@ -120,10 +120,10 @@ impl<'a> Meeting<'a> {
         }
     }
 
-    /// The contact at a point found by the narrow phase.
+    /// A contact becomes the one at a point found by the narrow phase. Every field is written in its place: building the
+    /// contact elsewhere and copying it would wait for its own last stores.
     #[inline]
-    #[must_use]
-    pub fn contact(&self, point: &ContactPoint) -> Contact {
+    pub fn put(&self, point: &ContactPoint, c: &mut Contact) {
         let (a, b) = self.bodies;
         let arms = (
             point.position - self.centres.0,
@@ -132,35 +132,41 @@ impl<'a> Meeting<'a> {
         let Principal { axes, k, coupling } = Principal::of(&response(a, b, arms), point.normal);
         let (tangent_1, tangent_2) = (axes.y_axis, axes.z_axis);
         let surface = DVec3::new(0.0, self.belt.dot(tangent_1), self.belt.dot(tangent_2));
-        Contact {
-            geoms: self.geoms,
-            bodies: self.indices,
-            position: point.position,
-            normal: point.normal,
-            tangent_1,
-            tangent_2,
-            gap: -point.depth,
-            noise: 0.0,
-            surface,
-            ahead: DVec3::ZERO,
-            instant: 0.0,
-            arms,
-            k_normal: k.x,
-            give: 0.0,
-            k_coupling: coupling,
-            k_tangent: (k.y, k.z),
-            coefficients: self.coefficients,
-            friction: Friction::Static,
-            target: 0.0,
-            impulse: DVec3::ZERO,
-            impact_impulse: DVec3::ZERO,
-            roll: Roll::new(&self.coefficients, a, b, point.normal),
-            velocity_before: a.velocity_at(arms.0) - b.velocity_at(arms.1)
-                + tangent_1 * surface.y
-                + tangent_2 * surface.z,
-            velocity_after: DVec3::ZERO,
-            sliding: false,
-        }
+        c.geoms = self.geoms;
+        c.bodies = self.indices;
+        c.position = point.position;
+        c.normal = point.normal;
+        c.tangent_1 = tangent_1;
+        c.tangent_2 = tangent_2;
+        c.gap = -point.depth;
+        c.noise = 0.0;
+        c.surface = surface;
+        c.ahead = DVec3::ZERO;
+        c.instant = 0.0;
+        c.arms = arms;
+        c.k_normal = k.x;
+        c.give = 0.0;
+        c.k_coupling = coupling;
+        c.k_tangent = (k.y, k.z);
+        c.coefficients = self.coefficients;
+        c.friction = Friction::Static;
+        c.target = 0.0;
+        c.impulse = DVec3::ZERO;
+        c.impact_impulse = DVec3::ZERO;
+        c.roll = Roll::new(&self.coefficients, a, b, point.normal);
+        c.velocity_before = a.velocity_at(arms.0) - b.velocity_at(arms.1)
+            + tangent_1 * surface.y
+            + tangent_2 * surface.z;
+        c.velocity_after = DVec3::ZERO;
+        c.sliding = false;
+    }
+
+    /// The contact at a point found by the narrow phase.
+    #[must_use]
+    pub fn contact(&self, point: &ContactPoint) -> Contact {
+        let mut c = Contact::default();
+        self.put(point, &mut c);
+        c
     }
 }
 
@@ -398,5 +404,64 @@ impl Recall<'_> {
             }
             point.place = DVec3::INFINITY;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::{MassProperties, State};
+    use crate::shape::Shape;
+    use glam::DMat3;
+
+    #[test]
+    fn nothing_of_a_used_place_stays() {
+        let mass = MassProperties::new(2.0, DMat3::from_diagonal(DVec3::new(0.3, 0.4, 0.5)));
+        let bodies = [0.0, 1.0].map(|x| {
+            let position = DVec3::new(x, 0.0, 0.0);
+            Body::new(
+                mass.clone(),
+                State {
+                    position,
+                    ..State::default()
+                },
+            )
+        });
+        let geom = |body| Geom {
+            body,
+            shape: Shape::Sphere { radius: 0.5 },
+            position: DVec3::ZERO,
+            rotation: DMat3::IDENTITY,
+            material: 0,
+        };
+        let meeting = |rolling_friction| {
+            let coefficients = Coefficients {
+                rolling_friction,
+                ..Coefficients::default()
+            };
+            let centres = (bodies[0].state.position, bodies[1].state.position);
+            Meeting::new((0, 1), (&geom(0), &geom(1)), &bodies, centres, coefficients)
+        };
+        let point = ContactPoint {
+            position: DVec3::new(0.5, 0.0, 0.0),
+            normal: DVec3::NEG_X,
+            depth: 1e-3,
+        };
+        let mut used = Contact {
+            noise: 1.0,
+            ahead: DVec3::ONE,
+            instant: 1.0,
+            give: 1.0,
+            friction: Friction::Kinetic,
+            target: 1.0,
+            impulse: DVec3::ONE,
+            impact_impulse: DVec3::ONE,
+            velocity_after: DVec3::ONE,
+            sliding: true,
+            ..meeting(0.1).contact(&point)
+        };
+        meeting(0.0).put(&point, &mut used);
+        let new = meeting(0.0).contact(&point);
+        assert_eq!(format!("{used:?}"), format!("{new:?}"));
     }
 }

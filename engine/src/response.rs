@@ -14,6 +14,7 @@ const EQUAL: f64 = 1e-9;
 /// ```text
 /// K = (1/m_A + 1/m_B) 1 - [r_A] I_A^-1 [r_A] - [r_B] I_B^-1 [r_B],    [r] d = r x d    [1/kg]
 /// ```
+#[inline]
 pub(crate) fn response(a: &Body, b: &Body, arms: (DVec3, DVec3)) -> DMat3 {
     let straight = a.mass.inverse_mass + b.mass.inverse_mass;
     let mut k = DMat3::from_diagonal(DVec3::splat(straight));
@@ -47,6 +48,7 @@ pub(crate) struct Principal {
 }
 
 impl Principal {
+    #[inline]
     pub(crate) fn of(k: &DMat3, normal: DVec3) -> Self {
         let (u, w) = tangents(normal);
         let (kn, ku) = (*k * normal, *k * u);
