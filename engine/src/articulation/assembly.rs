@@ -127,19 +127,23 @@ impl Assembly {
         self.rest.copy_from_slice(&self.solution);
         self.solution.fill(DVec3::ZERO);
         let asked = greatest(&self.rest);
-        let mut size = asked;
+        let (mut size, mut gain) = (asked, 1.0);
         for _ in 0..=REFINEMENTS {
             self.step.copy_from_slice(&self.rest);
             self.ldu.solve(&mut self.step);
             for (x, step) in self.solution.iter_mut().zip(&self.step) {
                 *x += step;
             }
+            // Each refinement gains about as much as the one before.
+            if size * gain <= REFINED * asked {
+                break;
+            }
             self.ldu.subtract_product(&self.step, &mut self.rest);
             let left = greatest(&self.rest);
             if left <= REFINED * asked || left > 0.5 * size {
                 break;
             }
-            size = left;
+            (size, gain) = (left, left / size);
         }
     }
 }
@@ -258,16 +262,22 @@ fn assemble(joints: &[Member], neighbours: &[BTreeSet<usize>], members: Vec<usiz
 }
 
 /// Minimum degree: always the joint with the fewest neighbours left, whose neighbours then become each other's. Chains
-/// and trees are eliminated from their ends without fill.
+/// and trees are eliminated from their ends without fill, from all of them in turn: what follows each other then does not wait
+/// for each other in a processor that works ahead.
 fn elimination_order(neighbours: &[BTreeSet<usize>], members: &[usize]) -> Vec<usize> {
     let mut left: BTreeSet<usize> = members.iter().copied().collect();
     let mut graph = neighbours.to_vec();
+    let mut changed = vec![0; neighbours.len()];
     let mut order = Vec::with_capacity(members.len());
-    while let Some(&joint) = left.iter().min_by_key(|&&j| (graph[j].len(), j)) {
+    while let Some(&joint) = left
+        .iter()
+        .min_by_key(|&&j| (graph[j].len(), changed[j], j))
+    {
         left.remove(&joint);
         order.push(joint);
         let clique = std::mem::take(&mut graph[joint]);
         for &a in &clique {
+            changed[a] = order.len();
             graph[a].remove(&joint);
             graph[a].extend(clique.iter().filter(|&&b| b != a));
         }

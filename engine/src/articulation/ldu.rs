@@ -196,7 +196,8 @@ fn reaches(columns: &[Vec<usize>]) -> Vec<Vec<usize>> {
 struct Pivot {
     /// Below the diagonal: (1, 0), (2, 0), (2, 1).
     lower: DVec3,
-    diagonal: DVec3,
+    /// Inverse of the diagonal.
+    inverse: DVec3,
     /// Above it, divided by the diagonal: (0, 1), (0, 2), (1, 2).
     upper: DVec3,
 }
@@ -204,21 +205,22 @@ struct Pivot {
 impl Pivot {
     fn new(m: &DMat3) -> Self {
         let (a, b, c) = (m.x_axis, m.y_axis, m.z_axis);
-        let (l1, l2) = (a.y / a.x, a.z / a.x);
-        let (second, beside) = (b.y - l1 * b.x, c.y - l1 * c.x);
-        let l3 = (b.z - l2 * b.x) / second;
+        let first = 1.0 / a.x;
+        let (l1, l2) = (a.y * first, a.z * first);
+        let (second, beside) = (1.0 / (b.y - l1 * b.x), c.y - l1 * c.x);
+        let l3 = (b.z - l2 * b.x) * second;
         let third = c.z - l2 * c.x - l3 * beside;
         Self {
             lower: DVec3::new(l1, l2, l3),
-            diagonal: DVec3::new(a.x, second, third),
-            upper: DVec3::new(b.x / a.x, c.x / a.x, beside / second),
+            inverse: DVec3::new(first, second, 1.0 / third),
+            upper: DVec3::new(b.x * first, c.x * first, beside * second),
         }
     }
 
     fn solve(&self, x: DVec3) -> DVec3 {
         let (l, u) = (self.lower, self.upper);
         let y = x.y - l.x * x.x;
-        let down = DVec3::new(x.x, y, x.z - l.y * x.x - l.z * y) / self.diagonal;
+        let down = DVec3::new(x.x, y, x.z - l.y * x.x - l.z * y) * self.inverse;
         let y = down.y - u.z * down.z;
         DVec3::new(down.x - u.x * y - u.y * down.z, y, down.z)
     }

@@ -96,12 +96,13 @@ impl Levers {
     }
 
     /// Of the derivative of the rows' values at the end of the step by impulses at its start: block (i, k), and block
-    /// (k, i) transposed.
+    /// (k, i) transposed. On the diagonal the first alone counts.
     pub(crate) fn entries_ahead(&self, i: usize, k: usize) -> [DMat3; 2] {
-        [
-            self.product(&self.ahead, &self.answers, (i, k)),
-            self.product(&self.answers, &self.ahead, (i, k)),
-        ]
+        let entry = self.product(&self.ahead, &self.answers, (i, k));
+        if i == k {
+            return [entry; 2];
+        }
+        [entry, self.product(&self.answers, &self.ahead, (i, k))]
     }
 
     fn product(&self, a: &[Lever], b: &[Lever], (i, k): (usize, usize)) -> DMat3 {
@@ -140,19 +141,18 @@ impl Levers {
     }
 }
 
+/// Every row fills its column in the levers of its block; the columns of no row stay as they are.
 fn fill<'a>(
     levers: &mut [Lever],
     (starts, bodies): (&[usize], &[usize]),
     rows: impl Iterator<Item = (&'a Row, (usize, usize))>,
 ) {
-    levers.fill(Lever::ZERO);
     for (row, (block, column)) in rows {
-        for end in row.ends() {
-            let mut own = starts[block]..starts[block + 1];
-            if let Some(k) = own.find(|&k| bodies[k] == end.body) {
-                *levers[k].linear.col_mut(column) = end.linear;
-                *levers[k].angular.col_mut(column) = end.angular;
-            }
+        for k in starts[block]..starts[block + 1] {
+            let end = row.ends().iter().find(|end| end.body == bodies[k]);
+            let (linear, angular) = end.map_or_else(Default::default, |e| (e.linear, e.angular));
+            *levers[k].linear.col_mut(column) = linear;
+            *levers[k].angular.col_mut(column) = angular;
         }
     }
 }

@@ -53,22 +53,31 @@ impl Dynamics<'_> {
             each(bodies, &|b| free_drift(b, h, splitting));
             self.place_prescribed(bodies, 1.0);
         } else {
-            self.held_drift(bodies, splitting, &wanted);
+            let left = self.held_drift(bodies, splitting, &wanted);
             self.note_reactions(1.0);
-            self.joints.take_back(self.beta, &mut wanted);
-            self.restore_positions(bodies, &wanted);
+            let more = self.joints.take_back(self.beta, &mut wanted);
+            if left + more > RESTORED {
+                self.restore_positions(bodies, &wanted);
+            }
         }
         self.scratch.values = wanted;
     }
 
-    fn held_drift(&mut self, bodies: &mut [Body], splitting: Splitting, wanted: &[f64]) {
+    /// Returns the largest error that is left [m or rad].
+    fn held_drift(&mut self, bodies: &mut [Body], splitting: Splitting, wanted: &[f64]) -> f64 {
         let mut starts = self.depart(bodies, splitting);
         self.anticipate(bodies, &mut starts);
         let mut missing = std::mem::take(&mut self.scratch.missing);
-        let mut error = f64::INFINITY;
-        let mut left = 0.0;
+        let (mut error, mut left) = (f64::INFINITY, f64::INFINITY);
         for round in 0..ROUNDS {
             self.arrive(bodies, &starts, splitting);
+            // A round gains as much as the one before, or more: nothing is to be seen any more but rounding.
+            let expected = left * (left / error);
+            if round > 1 && expected <= HELD {
+                left = expected;
+                break;
+            }
+            error = left;
             left = self.joints.errors(bodies, wanted, &mut missing);
             if left <= HELD || left > GAIN * error {
                 break;
@@ -76,7 +85,6 @@ impl Dynamics<'_> {
             if round == 0 || left > RENEWED * error {
                 self.look_ahead(bodies, &starts, splitting);
             }
-            error = left;
             self.articulation.kick_ahead(bodies, &missing);
         }
         self.closed &= left <= OPEN * size(bodies);
@@ -91,6 +99,7 @@ impl Dynamics<'_> {
         }
         self.scratch.missing = missing;
         self.scratch.states = starts;
+        left
     }
 
     /// Bodies without joints are through; of the others the starts are kept.

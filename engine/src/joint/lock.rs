@@ -57,14 +57,18 @@ impl Joints {
     }
 
     /// Of the values of all rows, as they were when the step began, leave what is to be left when it ends: errors less a
-    /// part `beta` of them.
-    pub fn take_back(&self, beta: f64, values: &mut [f64]) {
+    /// part `beta` of them. Returns what no change exceeds.
+    pub fn take_back(&self, beta: f64, values: &mut [f64]) -> f64 {
+        let largest = values.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
         values.iter_mut().for_each(|c| *c *= 1.0 - beta);
+        let mut share = beta;
         for (r, lock) in self.lock_rows() {
             if lock.arrives {
                 values[r] = 0.0;
+                share = 1.0;
             }
         }
+        share * largest
     }
 
     /// Rows of coordinates that are held, among those of `rows`.

@@ -421,7 +421,9 @@ impl World {
             let rows = self.articulation.rows();
             self.ledger.work_motors += self.loads.work_of_paths(rows, &self.bodies);
         }
-        self.joints.values(&self.bodies, &mut self.values);
+        if self.impacts.any || !self.contacts.is_empty() {
+            self.joints.values(&self.bodies, &mut self.values);
+        }
         if self.impacts.any {
             each_with(&mut self.bodies, &self.impacts.kinks, &|body, kink| {
                 kink.straighten(body);
