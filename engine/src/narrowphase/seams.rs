@@ -55,8 +55,10 @@ fn lies_flush(shape: &Posed, solid: &Posed, outward: DVec3, apart: bool) -> bool
         }
     };
     match solid.shape {
-        // The centre is behind the others.
-        Shape::Box { half } => (0..3).any(|k| beside(&side(*half, k, center[k]))),
+        Shape::Box { half } => {
+            let outside = (center.abs() - *half).cmpgt(DVec3::splat(-FLUSH));
+            (0..3).any(|k| outside.test(k) && beside(&side(*half, k, center[k])))
+        }
         other => any_face(other, beside),
     }
 }
