@@ -12,6 +12,7 @@ use crate::layout::{visit, Layer};
 use crate::mover::{Mover, Part, Window};
 use crate::point::Point;
 use crate::schedule::{Bunch, Schedule};
+use crate::team::{each_with, fill};
 use crate::twists::{Motion, Twists};
 
 /// Contacts that are worth being put into packs.
@@ -52,8 +53,9 @@ impl Packs {
         if bunches.len() * FULL > points.len() {
             return self.layers.clear();
         }
-        let packs = bunches.iter().map(|bunch| Pack::of(bunch, points, movers));
-        self.packs.extend(packs);
+        fill(&mut self.packs, (bunches.len(), Pack::default()), &|k| {
+            Pack::of(&bunches[k], points, movers)
+        });
     }
 
     /// Are packs worth it?
@@ -87,10 +89,11 @@ impl Packs {
         if std::mem::replace(&mut self.hold, true) {
             return;
         }
-        self.motions.clear();
-        self.motions
-            .extend(movers.iter().map(|m| Motion::of(&m.twist)));
-        for (pack, bunch) in self.packs.iter_mut().zip(&self.schedule.bunches) {
+        fill(&mut self.motions, (movers.len(), Motion::default()), &|k| {
+            Motion::of(&movers[k].twist)
+        });
+        let bunches = &self.schedule.bunches;
+        each_with(&mut self.packs, bunches, &|pack, bunch| {
             for (lane, slot) in bunch.members() {
                 let p = &points[slot];
                 pack.cone.friction[lane] = p.cone.friction;
@@ -98,7 +101,7 @@ impl Packs {
                     impulse[lane] = p.impulse[k];
                 }
             }
-        }
+        });
     }
 
     /// Impulses and motions, back to contacts and bodies.
@@ -164,7 +167,7 @@ impl WithSimd for Sweep<'_, '_> {
 
 /// Four contacts, no two of which have a moving body in common. Lanes without a contact repeat the bodies of the first,
 /// with nothing to do.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 #[repr(align(64))]
 struct Pack {
     sides: [Side; 2],
@@ -175,7 +178,7 @@ struct Pack {
 }
 
 /// What meets in these contacts, from one side.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Side {
     bodies: [u32; WIDTH],
     arms: FourVectors,
