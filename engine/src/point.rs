@@ -2,7 +2,7 @@
 
 use std::ops::Index;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::cone::Cone;
 use crate::contact::{Contact, Friction};
@@ -113,13 +113,10 @@ impl Point {
         ]
     }
 
-    /// Rows of J for both bodies, velocity and angular velocity: normal, tangent 1, tangent 2.
-    pub(crate) fn rows(&self) -> ([[f64; 6]; 3], [[f64; 6]; 3]) {
-        let row = |d: DVec3, arm: DVec3| coordinates(d, arm.cross(d));
-        (
-            self.axes.map(|d| row(d, self.arms.0)),
-            self.axes.map(|d| row(-d, self.arms.1)),
-        )
+    /// Normal and tangents.
+    pub(crate) fn frame(&self) -> DMat3 {
+        let [normal, tangent_1, tangent_2] = self.axes;
+        DMat3::from_cols(normal, tangent_1, tangent_2)
     }
 
     /// An impulse along normal and tangents, and its angular impulse, on both bodies.

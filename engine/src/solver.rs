@@ -14,7 +14,7 @@
 //! A sweep solves one contact after the other exactly, with the others held (projected Gauss-Seidel). Sweeps find out
 //! quickly which contacts carry, which stick and which slide, but pass loads on slowly: for a light body under a heavy
 //! one the error falls by 1 / (1 + m/M) a sweep. So after a few sweeps the contacts that carry are solved together as
-//! a linear system (see `subspace.rs`), with open contacts open and sliding friction as it stands; sweeps then
+//! a linear system (see `carrying.rs`, `subspace.rs`), with open contacts open and sliding friction as it stands; sweeps then
 //! check and mend the guess (subspace minimisation: Silcowitz, Niebe & Erleben 2010, "Projected Gauss-Seidel subspace
 //! minimization method for interactive rigid body dynamics", GRAPP).
 //!
@@ -27,8 +27,10 @@ use glam::DVec3;
 
 use crate::articulation::Articulation;
 use crate::body::Body;
+use crate::carrying::Carrying;
 use crate::contact::Contact;
 use crate::direct::Direct;
+use crate::interior::Interior;
 use crate::islands::{index, Islands};
 use crate::joint::Row;
 use crate::layout::{visit, Block, Layer, Layout, Plan};
@@ -186,10 +188,14 @@ struct Worker {
     kept: Vec<DVec3>,
     subspace: Subspace,
     direct: Direct,
+    carrying: Carrying,
+    interior: Interior,
     /// Of the island at hand, once it was asked for.
     leap: Option<Leap>,
     /// Wrong guesses in it.
     wrong: usize,
+    /// The interior was gone through for it.
+    sought: bool,
 }
 
 /// How the contacts of an island that carry are solved together.
@@ -498,7 +504,7 @@ impl Worker {
     fn solve(&mut self, system: &mut System, limits: Limits) -> Report {
         let coupled = system.joints.is_some() || system.points.iter().any(|p| p.roll.is_some());
         let krylov = coupled || limits.tolerance < DIGITS;
-        (self.leap, self.wrong) = (krylov.then_some(Leap::Krylov), 0);
+        (self.leap, self.wrong, self.sought) = (krylov.then_some(Leap::Krylov), 0, false);
         self.packs.clear();
         (self.swept, self.coupled) = (0, coupled);
         system.push();
@@ -537,7 +543,7 @@ impl Worker {
 
     /// Sweeps and leaps in turn, until a sweep changes nothing any more. Ends with a sweep, so that every impulse lies in
     /// its cone. A leap may guess wrongly which contacts carry, and the next sweeps then have more to mend than before:
-    /// then its impulses are taken back, and the next guess waits longer.
+    /// then its impulses are taken back, and the next guess waits longer; one at the loads alone is the last.
     fn iterate(&mut self, system: &mut System, part: Part, limits: Limits) -> Report {
         let mut iterations = 0;
         let mut patience = match self.leap {
@@ -579,6 +585,13 @@ impl Worker {
             start = f64::INFINITY;
             if wrong {
                 self.discourage();
+                if part == Part::Normals && self.leap != Some(Leap::Krylov) {
+                    return Report {
+                        residual,
+                        iterations,
+                        stalled: false,
+                    };
+                }
             } else if self.may_leap(system) {
                 start = residual;
                 self.packs.hand_back(system.points, system.movers);
@@ -664,7 +677,8 @@ impl Worker {
     /// of passes over the contacts that it took, at most `budget`.
     ///
     /// Contacts that would have to pull let go, and the others are solved without them: of the corners of a wall that is
-    /// still settling, hundreds are held at first that are about to open, and a single guess strains against them.
+    /// still settling, hundreds are held at first that are about to open, and a single guess strains against them. Where
+    /// all is slow, but guesses were wrong, the contacts that carry are sought from the interior of their cones, once.
     fn leap(
         &mut self,
         system: &mut System,
@@ -676,6 +690,15 @@ impl Worker {
             let reduction = (0.1 * limits.tolerance / residual).max(LEAP);
             return self.leap_by_gmres(system, part, (budget, reduction));
         }
+        let lost = self.wrong > 0 && !self.sought && residual > limits.calm;
+        if part == Part::All && lost && Interior::suits(system.points) {
+            self.sought = true;
+            let (points, movers) = (&mut *system.points, &mut *system.movers);
+            let widths = (residual, limits.tolerance);
+            self.interior
+                .solve(&mut self.direct, (points, movers), widths);
+            return 0;
+        }
         let settling = residual > limits.calm && system.points.iter().all(|p| p.quiet);
         let rounds = if settling && part == Part::Normals {
             ROUNDS
@@ -683,7 +706,8 @@ impl Worker {
             1
         };
         for _ in 0..rounds {
-            self.direct.solve(system.points, system.movers, part);
+            let (points, movers) = (&mut *system.points, &mut *system.movers);
+            self.carrying.solve(&mut self.direct, points, movers, part);
             if system.cut(part) <= limits.tolerance {
                 break;
             }

@@ -1,0 +1,179 @@
+//! What Cholesky's factor of a matrix with a block for each body and for each pair in contact looks like.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+use crate::islands::index;
+use crate::mover::Mover;
+use crate::point::Point;
+
+/// Which bodies meet, and what Cholesky's factor of their matrix looks like.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Pattern {
+    /// Pairs of bodies in contact, as they came: the pattern is good as long as they are the same.
+    pairs: Vec<(u32, u32)>,
+    /// Bodies that move, in the order of elimination.
+    pub(crate) order: Vec<u32>,
+    /// Place of each body in that order, or `FIXED`.
+    pub(crate) places: Vec<u32>,
+    /// Products of blocks in a factorisation; more than were allowed where it was given up.
+    pub(crate) products: usize,
+    /// It was not given up.
+    complete: bool,
+    /// Rows below the diagonal, column by column.
+    pub(crate) starts: Vec<usize>,
+    pub(crate) rows: Vec<u32>,
+}
+
+/// Place of a body that does not move.
+pub(crate) const FIXED: u32 = u32::MAX;
+
+impl Pattern {
+    /// Of these contacts; false where a factorisation would take more than so many products of blocks.
+    pub(crate) fn load(&mut self, points: &[Point], movers: &[Mover], products: usize) -> bool {
+        let same = self.places.len() == movers.len()
+            && self.pairs.len() == points.len()
+            && self
+                .pairs
+                .iter()
+                .zip(points)
+                .all(|(&pair, p)| pair == p.bodies);
+        let known = self.complete || self.products > products;
+        if !(same && known) {
+            self.pairs.clear();
+            self.pairs.extend(points.iter().map(|p| p.bodies));
+            let mut neighbours = self.graph(movers);
+            self.eliminate(&mut neighbours, products);
+        }
+        let whole = |&k: &u32| has_inertia(&movers[k as usize]);
+        self.products <= products && self.order.iter().all(whole)
+    }
+
+    /// Moving bodies that touch each one, by the order in which contacts name them; `order` tells who they are.
+    fn graph(&mut self, movers: &[Mover]) -> Vec<Vec<u32>> {
+        if self.places.len() == movers.len() {
+            for &body in &self.order {
+                self.places[body as usize] = FIXED;
+            }
+        } else {
+            self.places.clear();
+            self.places.resize(movers.len(), FIXED);
+        }
+        self.order.clear();
+        let mut neighbours: Vec<Vec<u32>> = Vec::new();
+        let moves = |k: u32| movers[k as usize].inverse_mass != 0.0;
+        for &(a, b) in &self.pairs {
+            for k in [a, b] {
+                if moves(k) && self.places[k as usize] == FIXED {
+                    self.places[k as usize] = index(self.order.len());
+                    self.order.push(k);
+                    neighbours.push(Vec::new());
+                }
+            }
+            if moves(a) && moves(b) {
+                let (a, b) = (self.places[a as usize], self.places[b as usize]);
+                neighbours[a as usize].push(b);
+                neighbours[b as usize].push(a);
+            }
+        }
+        for list in &mut neighbours {
+            list.sort_unstable();
+            list.dedup();
+        }
+        neighbours
+    }
+
+    /// Bodies of least degree first (Tinney & Walker 1967); the neighbours that an eliminated body leaves behind then
+    /// touch one another. Stops where it takes more than so many products.
+    fn eliminate(&mut self, neighbours: &mut [Vec<u32>], products: usize) {
+        let mut queue: BinaryHeap<Reverse<(usize, u32)>> = (0..)
+            .zip(neighbours.iter())
+            .map(|(k, list)| Reverse((list.len(), k)))
+            .collect();
+        let mut turn = vec![FIXED; neighbours.len()];
+        let mut sequence: Vec<u32> = Vec::with_capacity(neighbours.len());
+        self.products = 0;
+        self.complete = false;
+        self.starts.clear();
+        self.rows.clear();
+        self.starts.push(0);
+        while let Some(Reverse((degree, k))) = queue.pop() {
+            if turn[k as usize] != FIXED || neighbours[k as usize].len() != degree {
+                continue; // an entry from before its degree changed
+            }
+            self.products += degree * (degree + 3) / 2;
+            if self.products > products {
+                return;
+            }
+            turn[k as usize] = index(sequence.len());
+            sequence.push(k);
+            let clique = std::mem::take(&mut neighbours[k as usize]);
+            for &i in &clique {
+                let list = &mut neighbours[i as usize];
+                *list = merged(list, &clique, (i, k));
+                queue.push(Reverse((list.len(), i)));
+            }
+            self.rows.extend(clique);
+            self.starts.push(self.rows.len());
+        }
+        self.number(&turn, &sequence);
+        self.complete = true;
+    }
+
+    /// Rows and bodies by their turn in the elimination, instead of as `graph` found them.
+    fn number(&mut self, turn: &[u32], sequence: &[u32]) {
+        for row in &mut self.rows {
+            *row = turn[*row as usize];
+        }
+        for column in self.starts.windows(2) {
+            self.rows[column[0]..column[1]].sort_unstable();
+        }
+        self.order = sequence.iter().map(|&k| self.order[k as usize]).collect();
+        for (place, &body) in (0..).zip(&self.order) {
+            self.places[body as usize] = place;
+        }
+    }
+
+    /// Where the block of a row and an earlier column is.
+    pub(crate) fn slot(&self, column: usize, row: u32) -> usize {
+        let rows = &self.rows[self.starts[column]..self.starts[column + 1]];
+        self.starts[column] + rows.partition_point(|&r| r < row)
+    }
+}
+
+/// The union of two sorted lists without two members.
+fn merged(a: &[u32], b: &[u32], without: (u32, u32)) -> Vec<u32> {
+    let mut out = Vec::with_capacity(a.len() + b.len());
+    let (mut i, mut j) = (0, 0);
+    while i < a.len() || j < b.len() {
+        let next = match (a.get(i), b.get(j)) {
+            (Some(&x), Some(&y)) => x.min(y),
+            (Some(&x), None) | (None, Some(&x)) => x,
+            (None, None) => break,
+        };
+        i += usize::from(a.get(i) == Some(&next));
+        j += usize::from(b.get(j) == Some(&next));
+        if next != without.0 && next != without.1 {
+            out.push(next);
+        }
+    }
+    out
+}
+
+/// Its inertia can be found from the inverse.
+fn has_inertia(mover: &Mover) -> bool {
+    let i = &mover.inverse_inertia;
+    let mean = (i.x_axis.x + i.y_axis.y + i.z_axis.z) / 3.0;
+    i.determinant() > 1e-6 * mean * mean * mean
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_are_merged_without_two_members() {
+        assert_eq!(merged(&[1, 4, 7], &[2, 4, 9], (4, 9)), [1, 2, 7]);
+        assert_eq!(merged(&[], &[3], (3, 0)), [0; 0]);
+    }
+}
