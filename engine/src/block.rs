@@ -1,10 +1,11 @@
-//! Arithmetic of 6 x 6 blocks, column by column in memory: a column is a few vector registers.
+//! Arithmetic of 6 x 6 blocks, column by column in memory: a column is a few vector registers. What factors are made with
+//! is inlined, to be compiled for the vector instructions around it.
 
 /// Element (i, k) at 6 k + i.
 pub(crate) type Block = [f64; 36];
 
 /// out -= upper left^T
-#[inline]
+#[inline(always)]
 pub(crate) fn subtract_product(out: &mut Block, upper: &Block, left: &Block) {
     for (k, column) in out.chunks_exact_mut(6).enumerate() {
         let mut sum: [f64; 6] = std::array::from_fn(|i| column[i]);
@@ -19,6 +20,7 @@ pub(crate) fn subtract_product(out: &mut Block, upper: &Block, left: &Block) {
 }
 
 /// The lower factor in place of a symmetric matrix, of which the lower half is read; its diagonal is kept inverted.
+#[inline(always)]
 pub(crate) fn cholesky(a: &mut Block) {
     for k in 0..6 {
         let inverse = 1.0 / a[7 * k].sqrt();
@@ -36,6 +38,7 @@ pub(crate) fn cholesky(a: &mut Block) {
 }
 
 /// block := block L^-T
+#[inline(always)]
 pub(crate) fn divide_rows(block: &mut Block, l: &Block) {
     for k in 0..6 {
         let (known, rest) = block.split_at_mut(6 * k);

@@ -11,11 +11,13 @@
 //! boxes is as cheap, box by box, as one of two.
 
 use glam::{DMat3, DVec3};
+use pulp::{Simd, WithSimd};
 
 use crate::block::{
     cholesky, divide_rows, solve_lower, solve_upper, subtract_from, subtract_product,
     subtract_transposed, Block,
 };
+use crate::lanes::vectorised;
 use crate::mover::Mover;
 use crate::pattern::{Pattern, FIXED};
 use crate::point::Point;
@@ -43,6 +45,18 @@ struct Bond {
     aa: DMat3,
     bb: DMat3,
     ab: DMat3,
+}
+
+/// The factor, in the instructions of this processor.
+struct Factor<'a>(&'a mut Direct);
+
+impl WithSimd for Factor<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.0.factor();
+    }
 }
 
 impl Direct {
@@ -99,7 +113,7 @@ impl Direct {
             }
         }
         self.add(pair, &bond);
-        self.factor();
+        vectorised(Factor(self));
     }
 
     fn add(&mut self, (a, b): (u32, u32), bond: &Bond) {
@@ -132,6 +146,7 @@ impl Direct {
     }
 
     /// Cholesky's factor in place of the matrix, column by column; what a column does to later ones is done at once.
+    #[inline(always)]
     fn factor(&mut self) {
         for column in 0..self.pattern.order.len() {
             let (start, end) = (self.pattern.starts[column], self.pattern.starts[column + 1]);
