@@ -10,7 +10,7 @@ use crate::point::Point;
 /// Which bodies meet, and what Cholesky's factor of their matrix looks like.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pattern {
-    /// Pairs of bodies in contact, as they came: the pattern is good as long as they are the same.
+    /// Pairs of bodies in contact, as they came: the pattern is good as long as they are the same, and the same of them move.
     pairs: Vec<(u32, u32)>,
     /// Bodies that move, in the order of elimination.
     pub(crate) order: Vec<u32>,
@@ -33,11 +33,9 @@ impl Pattern {
     pub(crate) fn load(&mut self, points: &[Point], movers: &[Mover], products: usize) -> bool {
         let same = self.places.len() == movers.len()
             && self.pairs.len() == points.len()
-            && self
-                .pairs
-                .iter()
-                .zip(points)
-                .all(|(&pair, p)| pair == p.bodies);
+            && self.pairs.iter().zip(points).all(|(&(a, b), p)| {
+                (a, b) == p.bodies && self.knows(a, movers) && self.knows(b, movers)
+            });
         let known = self.complete || self.products > products;
         if !(same && known) {
             self.pairs.clear();
@@ -47,6 +45,12 @@ impl Pattern {
         }
         let whole = |&k: &u32| has_inertia(&movers[k as usize]);
         self.products <= products && self.order.iter().all(whole)
+    }
+
+    /// A body of the pattern moves, or does not, as it did when the pattern was made.
+    fn knows(&self, body: u32, movers: &[Mover]) -> bool {
+        let moves = movers[body as usize].inverse_mass != 0.0;
+        moves == (self.places[body as usize] != FIXED)
     }
 
     /// Moving bodies that touch each one, by the order in which contacts name them; `order` tells who they are.
@@ -170,10 +174,34 @@ fn has_inertia(mover: &Mover) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DMat3;
+
+    use crate::contact::Contact;
+    use crate::mover::Twist;
 
     #[test]
     fn lists_are_merged_without_two_members() {
         assert_eq!(merged(&[1, 4, 7], &[2, 4, 9], (4, 9)), [1, 2, 7]);
         assert_eq!(merged(&[], &[3], (3, 0)), [0; 0]);
+    }
+
+    fn mover(inverse_mass: f64) -> Mover {
+        Mover {
+            twist: Twist::default(),
+            inverse_mass,
+            inverse_inertia: DMat3::IDENTITY * inverse_mass,
+        }
+    }
+
+    #[test]
+    fn a_pattern_is_not_taken_for_that_of_others_with_the_same_numbers() {
+        let points = [Point::of(&Contact::default(), (0, 1), 0.0)];
+        let mut pattern = Pattern::default();
+        assert!(pattern.load(&points, &[mover(1.0), mover(0.0)], 10));
+        assert_eq!(pattern.order, [0]);
+        assert!(pattern.load(&points, &[mover(1.0), mover(2.0)], 10));
+        assert_eq!(pattern.order.len(), 2);
+        assert!(pattern.load(&points, &[mover(0.0), mover(2.0)], 10));
+        assert_eq!(pattern.order, [1]);
     }
 }
