@@ -46,8 +46,7 @@ impl Carrying {
         self.rows.clear();
         for p in points.iter() {
             let stiffness = stiffness(p, part);
-            let missing = -DVec3::X * (p.cone.give * p.impulse.x) - p.velocity(movers);
-            let gain = stiffness * missing;
+            let gain = stiffness * p.missing(movers);
             direct.add_impulse(&mut self.step, p, gain);
             self.rows.push((stiffness, gain));
         }

@@ -85,6 +85,11 @@ impl Point {
         self.relative(&movers[self.a()].twist, &movers[self.b()].twist) + self.offset
     }
 
+    /// What the velocity lacks of the target and of standing still, with what the contact gives way [m/s].
+    pub(crate) fn missing(&self, movers: &(impl Movers + ?Sized)) -> DVec3 {
+        -DVec3::X * (self.cone.give * self.impulse.x) - self.velocity(movers)
+    }
+
     /// Relative angular velocity, in world axes [rad/s].
     pub(crate) fn turning<M: Moving>(
         &self,

@@ -37,18 +37,14 @@ pub struct Correction {
 }
 
 impl Correction {
-    /// Move bodies apart. `gaps` are those at the end of the step, one a contact [m]. Returns false when there was
-    /// nothing to do.
-    pub fn apply(
-        &mut self,
-        bodies: &mut [Body],
-        contacts: &[Contact],
-        gaps: &[f64],
-        beta: f64,
-    ) -> bool {
-        if gaps.iter().all(|&g| g >= -SLOP) {
-            return false;
-        }
+    /// Is there an overlap to be taken back? `gaps` are those at the end of the step [m].
+    #[must_use]
+    pub fn is_due(gaps: &[f64]) -> bool {
+        gaps.iter().any(|&gap| gap < -SLOP)
+    }
+
+    /// Move bodies apart. `gaps` are those at the end of the step, one a contact [m].
+    pub fn apply(&mut self, bodies: &mut [Body], contacts: &[Contact], gaps: &[f64], beta: f64) {
         self.schedule.begin(bodies.len());
         for (slot, c) in (0..).zip(contacts) {
             let both = [c.bodies.0, c.bodies.1].into_iter();
@@ -71,7 +67,6 @@ impl Correction {
                 body.displace(shift.velocity, shift.angular_velocity);
             }
         }
-        true
     }
 }
 

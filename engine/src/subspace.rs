@@ -167,8 +167,7 @@ impl Subspace {
         first.clear();
         for c in system.points.iter() {
             let freedom = Freedom::of(c, part);
-            let missing = DVec3::X * (-c.cone.give * c.impulse.x) - c.velocity(system.movers);
-            first.push(missing * freedom.asked * freedom.scale);
+            first.push(c.missing(system.movers) * freedom.asked * freedom.scale);
             self.freedom.push(freedom);
         }
         self.rolls.clear();

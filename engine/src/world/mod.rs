@@ -26,7 +26,7 @@ use crate::loads::Loads;
 use crate::model::{Geom, Model, PairTable, Settings, Stabilization};
 use crate::mover::Twist;
 use crate::paths::Paths;
-use crate::position::{Correction, SLOP};
+use crate::position::Correction;
 use crate::shape::{Aabb, Pose};
 use crate::solver::{Report, Solver};
 use crate::team::{each, each_with, fill, gather, Team};
@@ -438,22 +438,18 @@ impl World {
         if baumgarte || (self.contacts.is_empty() && !self.impacts.any) {
             return;
         }
-        let overlap = self.gaps.iter().any(|&gap| gap < -SLOP);
-        let before = if overlap {
-            self.potential().total()
-        } else {
-            0.0 // nothing will be moved
-        };
-        let beta = self.settings.baumgarte;
-        let moved = self
-            .correction
-            .apply(&mut self.bodies, &self.contacts, &self.gaps, beta);
-        if (moved || self.impacts.any) && !self.articulation.is_empty() {
+        let before = Correction::is_due(&self.gaps).then(|| self.potential().total());
+        if before.is_some() {
+            let beta = self.settings.baumgarte;
+            self.correction
+                .apply(&mut self.bodies, &self.contacts, &self.gaps, beta);
+        }
+        if (before.is_some() || self.impacts.any) && !self.articulation.is_empty() {
             let scratch = &mut self.loads.scratch;
             self.articulation
                 .restore(&self.joints, &mut self.bodies, &self.values, scratch);
         }
-        if moved {
+        if let Some(before) = before {
             self.ledger.stabilization += self.potential().total() - before;
         }
     }
