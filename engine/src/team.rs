@@ -2,12 +2,15 @@
 //!
 //! Work is cut into parts by its size alone, and what comes of the parts is put together in their order. So the same
 //! bits come out on any number of threads. Inside a pool (rayon's) idle threads take parts; outside of one the caller does
-//! them all, one after the other.
+//! them all, one after the other. Nobody waits for a part that nobody has begun: who comes to it first does it.
 
+use std::hint::spin_loop;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::{ThreadPool, ThreadPoolBuilder, Yield};
 
 /// The threads that a world steps on.
 #[derive(Clone, Debug)]
@@ -52,10 +55,64 @@ pub(crate) fn both<A: Send, B: Send>(
     a: impl FnOnce() -> A + Send,
     b: impl FnOnce() -> B + Send,
 ) -> (A, B) {
-    if rayon::current_thread_index().is_some() {
-        rayon::join(a, b)
-    } else {
-        (a(), b())
+    if rayon::current_thread_index().is_none() {
+        return (a(), b());
+    }
+    let done = AtomicBool::new(false);
+    let first = || {
+        let a = a();
+        help_until(&done);
+        a
+    };
+    let second = || {
+        let b = b();
+        done.store(true, Ordering::Release);
+        b
+    };
+    rayon::join(first, second)
+}
+
+/// Do `work` while the other threads of the pool stay awake: its parts then find somebody within a microsecond, where it
+/// takes tens of them to wake a thread.
+pub(crate) fn awake<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    if rayon::current_thread_index().is_none() {
+        return work();
+    }
+    let others = rayon::current_num_threads() - 1;
+    awake_with(others, &AtomicBool::new(false), work)
+}
+
+fn awake_with<T: Send>(others: usize, over: &AtomicBool, work: impl FnOnce() -> T + Send) -> T {
+    if others == 0 {
+        let result = work();
+        over.store(true, Ordering::Release);
+        return result;
+    }
+    let this = || awake_with(others - 1, over, work);
+    rayon::join(this, || help_until(over)).0
+}
+
+/// How long a thread that waits reacts at once, and how long it waits before it sleeps.
+const ALERT: Duration = Duration::from_micros(50);
+const PATIENCE: Duration = Duration::from_millis(1);
+
+/// Do what others have left to be done until this is, or until there was nothing for a while: nobody sleeps through the
+/// short parts of a step, and nobody burns a core through the long ones. Whoever comes back early is called by rayon.
+fn help_until(done: &AtomicBool) {
+    let mut idle_since = None;
+    while !done.load(Ordering::Acquire) {
+        if rayon::yield_now() == Some(Yield::Executed) {
+            idle_since = None;
+            continue;
+        }
+        let idle = idle_since.get_or_insert_with(Instant::now).elapsed();
+        if idle < ALERT {
+            spin_loop();
+        } else if idle < PATIENCE {
+            std::thread::yield_now();
+        } else {
+            return;
+        }
     }
 }
 
@@ -172,6 +229,8 @@ impl<A: Parts, B: Parts> Parts for (A, B) {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::mpsc::channel;
+
     use super::*;
 
     #[test]
@@ -187,6 +246,35 @@ mod tests {
             .map(|k| (100 * k, if k == 10 { 3 } else { 100 }))
             .collect();
         assert_eq!(lengths, expected);
+    }
+
+    #[test]
+    fn a_partner_that_never_comes_is_not_waited_for() {
+        let pool = Team::new(2).pool().expect("threads can be had");
+        let (begin, begun) = channel();
+        let (wake, woken) = channel();
+        pool.spawn(move || {
+            begin.send(()).expect("it is waited for");
+            woken.recv().expect("it is woken");
+        });
+        begun.recv().expect("it begins");
+        let sum = || both(|| both(|| 1, || 2), || both(|| 3, || 4));
+        assert_eq!(pool.install(|| awake(sum)), ((1, 2), (3, 4)));
+        wake.send(()).expect("it sleeps");
+    }
+
+    #[test]
+    fn nobody_waits_for_ever() {
+        let pool = Team::new(3).pool().expect("threads can be had");
+        let never = AtomicBool::new(false);
+        pool.install(|| both(|| help_until(&never), || help_until(&never)));
+    }
+
+    #[test]
+    fn outside_of_a_pool_the_caller_does_it_all() {
+        let this = std::thread::current().id();
+        let who = || std::thread::current().id();
+        assert_eq!(awake(|| both(who, who)), (this, this));
     }
 
     #[test]

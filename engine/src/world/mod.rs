@@ -29,7 +29,7 @@ use crate::paths::Paths;
 use crate::position::Correction;
 use crate::shape::{Aabb, Pose};
 use crate::solver::{Report, Solver};
-use crate::team::{each, each_with, fill, gather, Team};
+use crate::team::{awake, each, each_with, fill, gather, Team};
 
 /// Speeds above this are a blow-up, not physics [m/s].
 const SPEED_LIMIT: f64 = 1e8;
@@ -182,7 +182,7 @@ impl World {
     /// # Errors
     /// [`Failure`]; the state is then that of the failed step.
     pub fn step(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
-        self.together(|world| world.make_step(oracle))
+        self.together(|world| awake(|| world.make_step(oracle)))
     }
 
     fn make_step(&mut self, oracle: &mut dyn Oracle) -> Result<(), Failure> {
