@@ -16,6 +16,7 @@ _Answer = Callable[
 __version__: str
 
 def draw(picture: Mapping[str, object], threads: int = 1) -> npt.NDArray[np.uint8]: ...
+def shuffled(bytes: npt.NDArray[np.uint8], size: int) -> npt.NDArray[np.uint8]: ...
 
 class Diverged(Exception):
     """A body's state blew up; args are (index of the body, time [s])."""

@@ -40,6 +40,7 @@ mod response;
 pub mod roll;
 mod schedule;
 pub mod shape;
+pub mod shuffle;
 pub mod solver;
 mod subspace;
 pub mod team;

@@ -17,13 +17,11 @@ from pathlib import Path
 from queue import SimpleQueue
 from typing import Any
 
+from physsim import one_thread
 from physsim.batch.backlog import Block
 from physsim.batch.job import Job
 from physsim.batch.place import Answer
 from physsim.errors import PhyssimError
-
-# Runs are spread over processes: libraries that would spread each over all cores as well are held back.
-ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
 class LocalPlace:
@@ -144,7 +142,7 @@ def _environment() -> dict[str, str]:
     """Ours, with the folder of this package first: `-P` keeps the working directory out of the search."""
     here = str(Path(__file__).resolve().parents[2])
     path = os.pathsep.join(filter(None, [here, os.environ.get("PYTHONPATH")]))
-    return {**dict.fromkeys(ONE_THREAD, "1"), **os.environ, "PYTHONPATH": path}
+    return {**one_thread.environment(), "PYTHONPATH": path}
 
 
 def _signal_name(number: int) -> str:

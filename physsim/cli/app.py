@@ -12,6 +12,7 @@ from typing import NoReturn
 import click
 
 import physsim
+from physsim import one_thread
 from physsim.cli import outcome, output
 from physsim.cli.verb import ENVIRONMENT, EXIT_CODES, Settings, debug_option, definitions
 
@@ -94,6 +95,7 @@ def answer(arguments: Sequence[str] | None = None) -> int:
 def main(arguments: Sequence[str] | None = None) -> NoReturn:
     """Entry point of the console script."""
     output.forgive_encodings()
+    one_thread.hold_back()
     code = answer(arguments)
     outcome.leave(code)
     sys.exit(code)

@@ -26,8 +26,8 @@ CHUNK_FRAMES = (16, 1024)
 # their memory stays with the process and little is left to do at the end.
 PART_ITEMS = 16 * 1024
 # Rows of /contacts and /events: about those of some frames, within bounds.
-CHUNK_ROWS = (1024, 8192)
-ROWS_PER_BODY = 8
+CHUNK_ROWS = (1024, 16384)
+ROWS_PER_BODY = 16
 # What does not grow is packed when it is larger than this: meshes.
 PACKED_BYTES = 64 * 1024
 PACKED_ROWS = 4096

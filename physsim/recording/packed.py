@@ -16,6 +16,8 @@ import numpy as np
 from isal import isal_zlib
 from numpy.typing import NDArray
 
+from physsim._engine import shuffled
+
 LEVEL = 1
 
 Numbers = NDArray[Any]
@@ -100,6 +102,6 @@ def _filled(part: Numbers, chunks: tuple[int, ...], fill: Any) -> Numbers:
 
 def packed(chunk: Numbers) -> bytes:
     """Shuffled and deflated, as HDF5's two filters do it."""
-    items = np.ascontiguousarray(chunk).reshape(-1).view(np.uint8).reshape(-1, chunk.itemsize)
-    stream: bytes = isal_zlib.compress(np.ascontiguousarray(items.T), LEVEL)
+    numbers = np.ascontiguousarray(chunk).reshape(-1).view(np.uint8)
+    stream: bytes = isal_zlib.compress(shuffled(numbers, chunk.itemsize), LEVEL)
     return stream

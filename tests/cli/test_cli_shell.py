@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 import pytest
+from shell import clean_environment
 
 from physsim import __version__ as package_version
 from physsim.cli import outcome
@@ -28,6 +29,24 @@ def modules_after(*arguments: str) -> set[str]:
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True
     )
     return set(done.stdout.rpartition("MODULES")[2].split())
+
+
+@pytest.mark.parametrize(("given", "used"), [(None, "1"), ("3", "3")])
+def test_linear_algebra_keeps_to_one_thread_unless_told(given: str | None, used: str) -> None:
+    script = (
+        "import os\n"
+        "from physsim.cli import main\n"
+        "try: main(['--version'])\n"
+        "finally: print(os.environ['OPENBLAS_NUM_THREADS'])\n"
+    )
+    environment = clean_environment()
+    environment.pop("OPENBLAS_NUM_THREADS", None)
+    if given:
+        environment["OPENBLAS_NUM_THREADS"] = given
+    done = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, env=environment, check=True
+    )
+    assert done.stdout.split()[-1] == used
 
 
 @pytest.mark.parametrize(

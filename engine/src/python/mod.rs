@@ -7,6 +7,7 @@ mod input;
 mod joints;
 mod model;
 mod picture;
+mod shuffle;
 mod tables;
 
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -312,6 +313,7 @@ fn _engine(m: &Bound<'_, PyModule>) -> PyResult<()> {
     m.add_class::<PyWorld>()?;
     m.add_class::<PyFrames>()?;
     m.add_function(wrap_pyfunction!(picture::draw, m)?)?;
+    m.add_function(wrap_pyfunction!(shuffle::shuffled, m)?)?;
     m.add("Diverged", m.py().get_type::<Diverged>())?;
     m.add("EngineError", m.py().get_type::<EngineError>())?;
     m.add("__version__", env!("CARGO_PKG_VERSION"))?;
