@@ -102,7 +102,7 @@ class BodyMaker:
 
     def _parts(self, spec: BodySpec, path: Path) -> list[Part] | None:
         if spec.shape.type != "compound":
-            form = self._form(spec.shape, spec.fixed, (*path, "shape"))
+            form = self._form(spec.shape, spec, (*path, "shape"))
             here = np.array(rotation.IDENTITY)
             return (
                 None
@@ -117,7 +117,7 @@ class BodyMaker:
         return parts if len(parts) == len(found) else None
 
     def _part(self, part: PartSpec, spec: BodySpec, path: Path) -> Part | None:
-        form = self._form(part.shape, spec.fixed, (*path, "shape"))
+        form = self._form(part.shape, spec, (*path, "shape"))
         if form is None:
             return None
         quaternion = np.array(part.orientation.as_quaternion(), dtype=np.float64)
@@ -129,10 +129,10 @@ class BodyMaker:
             path,
         )
 
-    def _form(self, shape: ShapeSpec, fixed: bool, path: Path) -> Form | None:
+    def _form(self, shape: ShapeSpec, spec: BodySpec, path: Path) -> Form | None:
         try:
             if shape.type == "mesh":
-                return mesh_form(shape, self.files, fixed)
+                return mesh_form(shape, self.files, spec.fixed, spec.collides)
             if shape.type == "convex":
                 return convex_form(shape, self.files)
             return primitive(shape)

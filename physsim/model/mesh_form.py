@@ -33,7 +33,7 @@ class MeshMemory:
     """What was read from mesh files and made of it; one may serve many scenes that use the same files."""
 
     meshes: dict[Path, TriangleMesh] = field(default_factory=dict)
-    forms: dict[tuple[Path, MeshShape, bool], Form] = field(default_factory=dict)
+    forms: dict[tuple[Path, MeshShape, bool, bool], Form] = field(default_factory=dict)
 
 
 @dataclass
@@ -68,25 +68,26 @@ class MeshFiles:
             raise ShapeTrouble(str(trouble), key="file", given=file) from None
 
 
-def mesh_form(shape: MeshShape, files: MeshFiles, fixed: bool) -> Form:
+def mesh_form(shape: MeshShape, files: MeshFiles, fixed: bool, collides: bool) -> Form:
     """The form of `mesh {file, scale, collision, inertia}`; a fixed body needs no inertia, so its mesh may
-    be open.
+    be open, and one that never collides needs nothing that stands for it in contacts.
 
     Raises ShapeTrouble.
     """
     mesh, forms = files.mesh(shape.file), files.memory.forms
-    key = (files.path(shape.file), shape, fixed)
+    key = (files.path(shape.file), shape, fixed, collides)
     if key not in forms:
-        forms[key] = _made(mesh, shape, fixed)
+        forms[key] = _made(mesh, shape, fixed, collides)
     return forms[key]
 
 
-def _made(mesh: TriangleMesh, shape: MeshShape, fixed: bool) -> Form:
+def _made(mesh: TriangleMesh, shape: MeshShape, fixed: bool, collides: bool) -> Form:
     vertices = mesh.vertices * shape.scale
     unit, volume, method = _mass_properties(mesh, vertices, shape.inertia, fixed)
     spans = np.ptp(vertices, axis=0)
-    geoms = _geoms(mesh, vertices, shape)
-    drawn = None if shape.collision == "exact" else surface_geom(vertices, mesh.triangles)
+    exact = shape.collision == "exact"
+    geoms = _geoms(mesh, vertices, shape) if collides or exact else ()
+    drawn = None if exact else surface_geom(vertices, mesh.triangles)
     return Form(unit, volume, method, float(spans.min()), float(np.linalg.norm(spans)), geoms, drawn)
 
 

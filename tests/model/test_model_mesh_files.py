@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from small_scenes import HEAD, body, body_problem, compiled, problems
 
 from physsim.errors import SceneError, dotted
-from physsim.model import MeshMemory, compile_scene, mesh_obj, mesh_text
+from physsim.model import MeshMemory, compile_scene, hull, mesh_obj, mesh_text
 from physsim.model import mesh as mesh_room
 from physsim.model.mesh import FORMATS, read_mesh
 from physsim.model.trouble import ShapeTrouble
@@ -114,6 +114,19 @@ def test_copies_share_one_hull(tmp_path: Path) -> None:
     assert len(model.body_names) == 6
     assert len(model.geoms.hulls) == 1
     assert model.geoms.parameters[:, 0].tolist() == [0] * 6
+
+
+@pytest.mark.parametrize("collision", ["hull", "pieces"])
+def test_what_never_collides_needs_no_hull(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, collision: str
+) -> None:
+    """A torus of 160 000 triangles was refused for its hull, and cut into pieces for nothing."""
+    monkeypatch.setattr(hull, "MAX_TRIANGLES", 3)
+    write(tmp_path, wedge())
+    keys = mesh_body("part.stl", f"collision: {collision}")
+    problem = body_problem("shape: {type: mesh, file: part.stl}, material: steel", tmp_path)
+    assert "has a convex hull of" in problem.message
+    assert body(f"{keys}, collides: false", tmp_path).mass[0] > 0
 
 
 # ---------------------------------------------------------------- mistakes
