@@ -24,7 +24,7 @@ use crate::mover::Mover;
 use crate::point::Point;
 
 /// R, which makes redundant contacts harmless.
-const COMPLIANCE: f64 = 1e-5;
+const COMPLIANCE: f64 = 1e-8;
 /// Steps at most.
 const STEPS: usize = 30;
 /// Part of the way to the cone's boundary that a step goes.
