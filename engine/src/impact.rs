@@ -219,7 +219,7 @@ impl Impacts {
     /// Resolve all impacts of a step: changes velocities of bodies and impact impulses of contacts, and leaves `kinks`.
     pub fn resolve(&mut self, scene: &mut Scene, rules: &Rules) {
         self.joint_impulses
-            .resize(scene.articulation.all_rows().len(), 0.0);
+            .resize(scene.articulation.impulses().len(), 0.0);
         for generation in 0..GENERATIONS {
             self.find_hit(scene, rules);
             let rebounds =
@@ -312,10 +312,10 @@ impl Impacts {
         }
         // Joints keep the rates that they have; of the drives only a limit can push without bound.
         let bodies = &*scene.bodies;
-        scene.articulation.aim(
-            |row| row.rate(bodies),
-            |drive| Aim::of_impact(drive, bodies),
-        );
+        scene.articulation.note_rates(bodies);
+        scene
+            .articulation
+            .aim(|row| row.rate, |drive| Aim::of_impact(drive, bodies));
         self.solver.load(bodies);
         self.solver
             .solve(scene.contacts, &self.hit, scene.articulation, limits)
@@ -397,13 +397,13 @@ impl Impacts {
     }
 
     fn apply_joints(&mut self, scene: &mut Scene) {
-        let rows = scene.articulation.all_rows().iter();
-        for ((row, &x), sum) in rows.zip(&self.elastic.joints).zip(&mut self.joint_impulses) {
+        let impulses = self.elastic.joints.iter().enumerate();
+        for ((row, &x), sum) in impulses.zip(&mut self.joint_impulses) {
             if x == 0.0 {
                 continue;
             }
             *sum += x;
-            for end in row.ends() {
+            for end in scene.articulation.ends(row) {
                 let home = scene.articulation.home(end.body);
                 let instant = home.map_or(0.0, |assembly| self.joint_instants[assembly]);
                 let body = &mut scene.bodies[end.body];

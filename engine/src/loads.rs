@@ -7,7 +7,7 @@ use crate::body::Body;
 use crate::contact::Contact;
 use crate::force::{Forces, Wrench};
 use crate::integrator::{accelerations_at, free_accelerations, Scratch};
-use crate::joint::{Ahead, Joints, Row};
+use crate::joint::{Ahead, End, Joints, Row};
 use crate::mover::Twist;
 use crate::paths::Paths;
 use crate::profile::Moment;
@@ -128,17 +128,19 @@ impl Loads {
     }
 
     /// Before bodies move: what fixed bodies on a path do to the rows of joints.
-    pub fn note_fixed(&mut self, rows: &[Row], bodies: &[Body]) {
+    pub fn note_fixed(&mut self, articulation: &Articulation, bodies: &[Body]) {
+        let rows = 0..articulation.rows().len();
         self.fixed_rates.clear();
         self.fixed_rates
-            .extend(rows.iter().map(|row| rate_of_fixed(row, bodies)));
+            .extend(rows.map(|r| rate_of_fixed(articulation.ends(r), bodies)));
     }
 
     /// After they moved: the work that fixed bodies on a path did through joints, impulses times mean rates [J].
     #[must_use]
-    pub fn work_of_paths(&self, rows: &[Row], bodies: &[Body]) -> f64 {
-        let rates = rows.iter().zip(&self.fixed_rates);
-        let means = rates.map(|(row, start)| 0.5 * (start + rate_of_fixed(row, bodies)));
+    pub fn work_of_paths(&self, articulation: &Articulation, bodies: &[Body]) -> f64 {
+        let rates = self.fixed_rates.iter().enumerate();
+        let end = |r: usize| rate_of_fixed(articulation.ends(r), bodies);
+        let means = rates.map(|(r, start)| 0.5 * (start + end(r)));
         self.reactions
             .iter()
             .zip(means)
@@ -163,16 +165,14 @@ impl Loads {
     }
 }
 
-/// Work that fixed bodies on a prescribed path do through joints, by the impulses of the rows [J].
+/// Work that fixed bodies on a prescribed path do through a row, by its impulse [J].
 #[must_use]
-pub fn work_of_fixed(rows: &[Row], impulses: &[f64], bodies: &[Body]) -> f64 {
-    let work = |(row, impulse): (&Row, &f64)| -impulse * rate_of_fixed(row, bodies);
-    rows.iter().zip(impulses).map(work).sum()
+pub fn work_of_fixed(row: &Row, impulse: f64, bodies: &[Body]) -> f64 {
+    -impulse * rate_of_fixed(row.ends.into_iter(), bodies)
 }
 
 /// The part of a row's rate that comes from fixed bodies on a path.
-#[must_use]
-pub fn rate_of_fixed(row: &Row, bodies: &[Body]) -> f64 {
-    let fixed = row.ends().iter().filter(|end| bodies[end.body].is_fixed());
+fn rate_of_fixed(ends: impl Iterator<Item = End>, bodies: &[Body]) -> f64 {
+    let fixed = ends.filter(|end| bodies[end.body].is_fixed());
     fixed.map(|end| end.rate(bodies)).sum()
 }

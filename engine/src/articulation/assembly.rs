@@ -8,35 +8,39 @@ use super::ldu::Ldu;
 use super::levers::Levers;
 use super::Hold;
 use crate::body::Body;
-use crate::mover::Yielding;
+use crate::joint::Course;
+use crate::mover::{Moving, Yielding};
 
-/// Share of the diagonal that is added to it. Greater, and refinement converges slowly for heavy ends (1 : 1000 at 100
-/// links has eigenvalues of 1e-7 of the diagonal); smaller, and rounding errors grow in redundant rows.
+/// Share of the diagonal that is added to it where rows are redundant. Greater, and refinement converges slowly; smaller, and
+/// rounding errors grow.
 const EPSILON: f64 = 1e-10;
 /// What is left of what is asked need not be refined when it is this part of it.
 const REFINED: f64 = 1e-14;
-/// Refinements at most; two are enough unless a row is redundant or an end heavy.
+/// Refinements at most; two are often enough.
 const REFINEMENTS: usize = 6;
 /// Rows of a block.
-pub(super) const WIDTH: usize = 3;
+pub(crate) const WIDTH: usize = 3;
+/// The row of an idle place: none has this number.
+pub(crate) const IDLE: usize = usize::MAX;
 
 /// A connected set of joints and its linear system. The rows of each joint fill blocks of three; where they do not come
 /// out even, the rest of the last block is idle.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Assembly {
-    /// Rows in the order of elimination.
-    pub(crate) rows: Vec<usize>,
-    /// Of each of them, its block and its place in it.
-    pub(crate) places: Vec<(usize, usize)>,
+    /// Of each block, the row in each of its places.
+    pub(crate) blocks: Vec<[usize; WIDTH]>,
     /// Moving bodies, ascending.
     pub(crate) bodies: Vec<usize>,
     pub(crate) levers: Levers,
     ldu: Ldu,
-    pub(crate) ldu_ahead: Ldu,
-    /// The rows that were free when it was last factored; empty when that was at other poses.
-    pub(crate) factored: Vec<bool>,
-    /// Of each block, 1 for its free rows.
+    ldu_ahead: Ldu,
+    /// A is factored, over the rows that are free.
+    pub(crate) factored: bool,
+    /// It has no redundant rows, and nothing was added to its diagonal.
+    regular: bool,
+    /// Of each block, 1 for its free rows; and whether all rows are.
     masks: Vec<DVec3>,
+    whole: bool,
     /// Working memory, one number a row.
     pub(crate) solution: Vec<DVec3>,
     rest: Vec<DVec3>,
@@ -46,10 +50,34 @@ pub(crate) struct Assembly {
 impl Assembly {
     /// `solution` := what is asked of each free row; 0 of the others.
     pub(crate) fn ask(&mut self, holds: &[Hold], asked: impl Fn(usize) -> f64) {
-        self.solution.fill(DVec3::ZERO);
-        for (&row, &(block, place)) in self.rows.iter().zip(&self.places) {
-            if holds[row] == Hold::Free {
-                self.solution[block][place] = asked(row);
+        for (x, rows) in self.solution.iter_mut().zip(&self.blocks) {
+            *x = DVec3::from_array(rows.map(|row| if_free(holds, row, || asked(row))));
+        }
+    }
+
+    /// `solution` := what each free row lacks of a rate, as bodies move.
+    pub(crate) fn ask_rates(
+        &mut self,
+        holds: &[Hold],
+        moving: &[impl Moving],
+        target: impl Fn(usize) -> f64,
+    ) {
+        for (block, (x, rows)) in self.solution.iter_mut().zip(&self.blocks).enumerate() {
+            let rates = self.levers.rate(block, moving);
+            let mask = rows.map(|row| if_free(holds, row, || 1.0));
+            let targets = rows.map(|row| if_free(holds, row, || target(row)));
+            *x = DVec3::from_array(targets) - DVec3::from_array(mask) * rates;
+        }
+    }
+
+    /// Rates of its bilateral rows are those of bodies that move like this.
+    pub(crate) fn note_rates(&self, moving: &[impl Moving], courses: &mut [Course]) {
+        for (block, rows) in self.blocks.iter().enumerate() {
+            let rates = self.levers.rate(block, moving).to_array();
+            for (&row, rate) in rows.iter().zip(rates) {
+                if let Some(course) = courses.get_mut(row) {
+                    course.rate = rate;
+                }
             }
         }
     }
@@ -61,8 +89,12 @@ impl Assembly {
 
     /// `solution` adds to the impulses of the rows.
     pub(crate) fn add_to(&self, impulses: &mut [f64]) {
-        for (&row, &(block, place)) in self.rows.iter().zip(&self.places) {
-            impulses[row] += self.solution[block][place];
+        for (x, rows) in self.solution.iter().zip(&self.blocks) {
+            for (&row, x) in rows.iter().zip(x.to_array()) {
+                if let Some(impulse) = impulses.get_mut(row) {
+                    *impulse += x;
+                }
+            }
         }
     }
 
@@ -83,47 +115,57 @@ impl Assembly {
 
     /// Factor A over the free rows, unless that was done.
     pub(crate) fn factor(&mut self, holds: &[Hold]) {
-        let free = |row: &usize| holds[*row] == Hold::Free;
-        if self.factored.len() == self.rows.len()
-            && self.rows.iter().map(free).eq(self.factored.iter().copied())
-        {
+        self.mark_free(holds);
+        if self.factored {
             return;
         }
-        self.factored.clear();
-        self.factored.extend(self.rows.iter().map(free));
-        self.mark_free(holds);
-        let (levers, masks) = (&self.levers, &self.masks);
-        self.ldu.factor(EPSILON, |i, k| {
-            [masked(levers.entry(i, k), masks, (i, k)); 2]
-        });
+        let (levers, masks, whole) = (&self.levers, &self.masks, self.whole);
+        let entry = |i, k| [masked(levers.entry(i, k), (masks, whole), (i, k)); 2];
+        self.regular = self.ldu.factor(0.0, entry);
+        if !self.regular {
+            self.ldu.factor(EPSILON, entry);
+        }
+        self.factored = true;
     }
 
     /// Factor the matrix of the rows ahead.
     pub(crate) fn factor_ahead(&mut self, holds: &[Hold]) {
         self.mark_free(holds);
-        let (levers, masks) = (&self.levers, &self.masks);
+        let (levers, masks, whole) = (&self.levers, &self.masks, self.whole);
         self.ldu_ahead.factor(EPSILON, |i, k| {
             levers
                 .entries_ahead(i, k)
-                .map(|entry| masked(entry, masks, (i, k)))
+                .map(|entry| masked(entry, (masks, whole), (i, k)))
         });
     }
 
     /// 1 for each free row, 0 for the others.
     fn mark_free(&mut self, holds: &[Hold]) {
-        self.masks.fill(DVec3::ZERO);
-        for (&row, &(block, place)) in self.rows.iter().zip(&self.places) {
-            self.masks[block][place] = f64::from(u8::from(holds[row] == Hold::Free));
+        self.whole = true;
+        for (mask, rows) in self.masks.iter_mut().zip(&self.blocks) {
+            let free = DVec3::from_array(rows.map(|row| if_free(holds, row, || 1.0)));
+            self.factored &= *mask == free;
+            self.whole &= free == DVec3::ONE;
+            *mask = free;
         }
     }
 
-    /// `solution` := A^-1 `solution`, with the share `EPSILON` on the diagonal.
+    /// `solution` := A^-1 `solution`, with the share `EPSILON` on the diagonal if rows are redundant.
     pub(crate) fn divide_roughly(&mut self) {
         self.ldu.solve(&mut self.solution);
     }
 
-    /// `solution` := A^-1 `solution`, refined.
+    /// The same with the matrix of the rows ahead.
+    pub(crate) fn divide_ahead(&mut self) {
+        self.ldu_ahead.solve(&mut self.solution);
+    }
+
+    /// `solution` := A^-1 `solution`, refined where rows are redundant.
     pub(crate) fn divide(&mut self) {
+        if self.regular {
+            self.divide_roughly();
+            return;
+        }
         self.rest.copy_from_slice(&self.solution);
         self.solution.fill(DVec3::ZERO);
         let asked = greatest(&self.rest);
@@ -149,14 +191,23 @@ impl Assembly {
 }
 
 /// A block without rows and columns that are not free; these get a 1 on the diagonal.
-fn masked(mut entry: DMat3, masks: &[DVec3], (i, k): (usize, usize)) -> DMat3 {
-    if masks[i] != DVec3::ONE || masks[k] != DVec3::ONE {
+fn masked(mut entry: DMat3, (masks, whole): (&[DVec3], bool), (i, k): (usize, usize)) -> DMat3 {
+    if !whole {
         entry = DMat3::from_diagonal(masks[i]) * entry * DMat3::from_diagonal(masks[k]);
         if i == k {
             entry += DMat3::from_diagonal(DVec3::ONE - masks[k]);
         }
     }
     entry
+}
+
+/// `value` of a free row, 0 of the others.
+fn if_free(holds: &[Hold], row: usize, value: impl FnOnce() -> f64) -> f64 {
+    if holds.get(row) == Some(&Hold::Free) {
+        value()
+    } else {
+        0.0
+    }
 }
 
 fn greatest(values: &[DVec3]) -> f64 {
@@ -167,7 +218,8 @@ fn greatest(values: &[DVec3]) -> f64 {
 
 /// What the division needs to know of a joint.
 pub(crate) struct Member {
-    /// Moving bodies that it touches.
+    /// Bodies that it touches, ascending, and those of them that move.
+    pub(crate) touched: Vec<usize>,
     pub(crate) bodies: Vec<usize>,
     /// Its rows.
     pub(crate) rows: Vec<usize>,
@@ -225,24 +277,25 @@ fn assemble(joints: &[Member], neighbours: &[BTreeSet<usize>], members: Vec<usiz
         .iter()
         .flat_map(|&j| joints[j].bodies.clone())
         .collect();
-    let (mut rows, mut places, mut touched) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut rows, mut touched) = (Vec::new(), Vec::new());
     let mut columns: Vec<Vec<usize>> = Vec::new();
-    let mut blocks = vec![0..0; joints.len()];
+    let mut ranges = vec![0..0; joints.len()];
     for &joint in &order {
         let first = columns.len();
         let mut earlier: Vec<usize> = neighbours[joint]
             .iter()
-            .flat_map(|&other| blocks[other].clone())
+            .flat_map(|&other| ranges[other].clone())
             .collect();
         earlier.sort_unstable();
         for block in first..first + joints[joint].rows.len().div_ceil(WIDTH) {
             columns.push(earlier.iter().copied().chain(first..block).collect());
-            touched.push(joints[joint].bodies.clone());
+            touched.push(joints[joint].touched.clone());
         }
-        blocks[joint] = first..columns.len();
-        for (k, &row) in joints[joint].rows.iter().enumerate() {
-            rows.push(row);
-            places.push((first + k / WIDTH, k % WIDTH));
+        ranges[joint] = first..columns.len();
+        for own in joints[joint].rows.chunks(WIDTH) {
+            let mut block = [IDLE; WIDTH];
+            block[..own.len()].copy_from_slice(own);
+            rows.push(block);
         }
     }
     let blank = vec![DVec3::ZERO; columns.len()];
@@ -254,9 +307,10 @@ fn assemble(joints: &[Member], neighbours: &[BTreeSet<usize>], members: Vec<usiz
         rest: blank.clone(),
         masks: blank.clone(),
         step: blank,
-        factored: Vec::with_capacity(rows.len()),
-        rows,
-        places,
+        factored: false,
+        regular: false,
+        whole: false,
+        blocks: rows,
         bodies: bodies.into_iter().collect(),
     }
 }

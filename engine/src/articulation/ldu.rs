@@ -14,6 +14,9 @@
 
 use glam::{DMat3, DVec3};
 
+/// A pivot that is this part of the diagonal, or less, belongs to a redundant row.
+const REDUNDANT: f64 = 1e-9;
+
 /// A block of the factors that row k of L and column k of U share.
 #[derive(Clone, Copy, Debug)]
 struct Link {
@@ -83,12 +86,14 @@ impl Ldu {
     }
 
     /// Factor, with a share `more` added to the diagonal. `entries(i, k)` gives A_ik and the transpose of A_ki, for the
-    /// entries of the pattern and the diagonal, i <= k.
+    /// entries of the pattern and the diagonal, i <= k. Returns whether every pivot is more
+    /// than the part `REDUNDANT` of the diagonal.
     pub(crate) fn factor(
         &mut self,
         more: f64,
         mut entries: impl FnMut(usize, usize) -> [DMat3; 2],
-    ) {
+    ) -> bool {
+        let mut regular = true;
         for k in 0..self.inverses.len() {
             for p in self.columns[k]..self.columns[k + 1] {
                 let i = self.pattern[p];
@@ -105,7 +110,9 @@ impl Ldu {
             }
             self.pivots[k] = Pivot::new(&pivot);
             self.inverses[k] = self.pivots[k].inverse();
+            regular &= self.pivots[k].is_regular(&self.diagonal[k]);
         }
+        regular
     }
 
     /// rest -= A x of a symmetric A, without what was added to its diagonal.
@@ -215,6 +222,13 @@ impl Pivot {
             inverse: DVec3::new(first, second, 1.0 / third),
             upper: DVec3::new(b.x * first, c.x * first, beside * second),
         }
+    }
+
+    /// Its diagonal is more than the part `REDUNDANT` of that of `m`.
+    fn is_regular(&self, m: &DMat3) -> bool {
+        let whole = DVec3::new(m.x_axis.x, m.y_axis.y, m.z_axis.z);
+        let most = DVec3::splat(1.0 / REDUNDANT);
+        (whole * self.inverse).abs().cmplt(most).all()
     }
 
     fn solve(&self, x: DVec3) -> DVec3 {

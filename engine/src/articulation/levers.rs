@@ -3,8 +3,8 @@
 use glam::{DMat3, DVec3};
 
 use crate::body::Body;
-use crate::joint::Row;
-use crate::mover::{Twist, Yielding};
+use crate::joint::{End, Row};
+use crate::mover::{Moving, Twist, Yielding};
 
 /// A column for each row of a block: its part of J^T, or of M^-1 J^T, that belongs to one body.
 #[derive(Clone, Copy, Debug)]
@@ -21,11 +21,25 @@ impl Lever {
 
     /// J M^-1 J^T of two of them.
     fn times(&self, other: &Self) -> DMat3 {
-        self.linear.transpose() * other.linear + self.angular.transpose() * other.angular
+        let dots = |linear: DVec3, angular: DVec3| {
+            DVec3::new(
+                self.linear.x_axis.dot(linear) + self.angular.x_axis.dot(angular),
+                self.linear.y_axis.dot(linear) + self.angular.y_axis.dot(angular),
+                self.linear.z_axis.dot(linear) + self.angular.z_axis.dot(angular),
+            )
+        };
+        DMat3::from_cols(
+            dots(other.linear.x_axis, other.angular.x_axis),
+            dots(other.linear.y_axis, other.angular.y_axis),
+            dots(other.linear.z_axis, other.angular.z_axis),
+        )
     }
 }
 
-/// Levers of all blocks on the moving bodies that each touches: those of block k are `starts[k]..starts[k + 1]`.
+/// Place of a row: its block, and its column there.
+pub(crate) type Place = (usize, usize);
+
+/// Levers of all blocks on the bodies that each touches: those of block k are `starts[k]..starts[k + 1]`.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Levers {
     starts: Vec<usize>,
@@ -41,7 +55,7 @@ pub(crate) struct Levers {
 }
 
 impl Levers {
-    /// For blocks that touch these moving bodies.
+    /// For blocks that touch these bodies.
     pub(crate) fn new(touched: &[Vec<usize>]) -> Self {
         let mut levers = Self {
             starts: vec![0],
@@ -57,13 +71,18 @@ impl Levers {
         levers
     }
 
-    /// Rows at the places (block, column) that they have, with the masses of the bodies.
-    pub(crate) fn load<'a>(
-        &mut self,
-        rows: impl Iterator<Item = (&'a Row, (usize, usize))>,
-        bodies: &[Body],
-    ) {
-        fill(&mut self.plain, (&self.starts, &self.bodies), rows);
+    /// The row at a place is the sum of these.
+    pub(crate) fn place(&mut self, at: Place, rows: &[Row]) {
+        place(&mut self.plain, (&self.starts, &self.bodies), at, rows);
+    }
+
+    /// The same where a step leads to.
+    pub(crate) fn place_ahead(&mut self, at: Place, rows: &[Row]) {
+        place(&mut self.ahead, (&self.starts, &self.bodies), at, rows);
+    }
+
+    /// The masses of the bodies, as they lie now.
+    pub(crate) fn weigh(&mut self, bodies: &[Body]) {
         for (k, &body) in self.bodies.iter().enumerate() {
             let body = &bodies[body];
             self.weighted[k] = Lever {
@@ -73,21 +92,36 @@ impl Levers {
         }
     }
 
-    /// Rows where the step leads to. `answer` gives of a body how far it gets by an impulse of the step's start, and how it
-    /// turns by an angular one.
-    pub(crate) fn look_ahead<'a>(
-        &mut self,
-        rows: impl Iterator<Item = (&'a Row, (usize, usize))>,
-        answer: impl Fn(usize) -> (f64, DMat3),
-    ) {
-        fill(&mut self.ahead, (&self.starts, &self.bodies), rows);
+    /// How the end of a step answers to impulses at its start: of each body how far an impulse brings it, and how an
+    /// angular one turns it.
+    pub(crate) fn answer(&mut self, answers: &[(f64, DMat3)]) {
         for (k, &body) in self.bodies.iter().enumerate() {
-            let (shift, turn) = answer(body);
+            let (shift, turn) = answers[body];
             self.answers[k] = Lever {
                 linear: self.plain[k].linear * shift,
                 angular: turn * self.plain[k].angular,
             };
         }
+    }
+
+    /// The Jacobian of the row at a place.
+    pub(crate) fn ends(&self, (block, column): Place) -> impl Iterator<Item = End> + '_ {
+        (self.starts[block]..self.starts[block + 1]).map(move |k| End {
+            body: self.bodies[k],
+            linear: self.plain[k].linear.col(column),
+            angular: self.plain[k].angular.col(column),
+        })
+    }
+
+    /// J V of a block's rows.
+    pub(crate) fn rate(&self, block: usize, moving: &[impl Moving]) -> DVec3 {
+        let mut rate = DVec3::ZERO;
+        for k in self.starts[block]..self.starts[block + 1] {
+            let (lever, twist) = (&self.plain[k], moving[self.bodies[k]].twist());
+            rate += lever.linear.transpose() * twist.velocity;
+            rate += lever.angular.transpose() * twist.angular_velocity;
+        }
+        rate
     }
 
     /// Block (i, k) of J M^-1 J^T.
@@ -141,18 +175,21 @@ impl Levers {
     }
 }
 
-/// Every row fills its column in the levers of its block; the columns of no row stay as they are.
-fn fill<'a>(
+fn place(
     levers: &mut [Lever],
     (starts, bodies): (&[usize], &[usize]),
-    rows: impl Iterator<Item = (&'a Row, (usize, usize))>,
+    (block, column): Place,
+    rows: &[Row],
 ) {
-    for (row, (block, column)) in rows {
-        for k in starts[block]..starts[block + 1] {
-            let end = row.ends().iter().find(|end| end.body == bodies[k]);
-            let (linear, angular) = end.map_or_else(Default::default, |e| (e.linear, e.angular));
-            *levers[k].linear.col_mut(column) = linear;
-            *levers[k].angular.col_mut(column) = angular;
+    for k in starts[block]..starts[block + 1] {
+        let (mut linear, mut angular) = (DVec3::ZERO, DVec3::ZERO);
+        for end in rows.iter().flat_map(|row| &row.ends) {
+            if end.body == bodies[k] {
+                linear += end.linear;
+                angular += end.angular;
+            }
         }
+        *levers[k].linear.col_mut(column) = linear;
+        *levers[k].angular.col_mut(column) = angular;
     }
 }

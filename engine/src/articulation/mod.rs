@@ -3,7 +3,7 @@
 //! With J the rows, M the masses and x the impulses, a set of joints asks for J (v + M^-1 J^T x) = target. The matrix
 //! A = J M^-1 J^T couples rows that share a moving body, so a chain gives a band and a tree of joints no fill at all: a
 //! direct solve costs as much as the mechanism has joints, and is as exact for a weight of a tonne on a chain of grams as
-//! for equal links. Redundant rows (a door on two hinges) make A singular: a share EPSILON of the diagonal is
+//! for equal links. Redundant rows (a door on two hinges) make A singular: a share EPSILON of the diagonal is then
 //! added, and taken back by iterative refinement, which leaves of all solutions one that is next to the smallest.
 //!
 //! Motors, dry friction and limits are rows with bounds lower <= x <= upper. Which of them stand at a bound is found by
@@ -16,15 +16,18 @@ mod ldu;
 mod levers;
 mod swing;
 
+use std::collections::BTreeSet;
+
 use glam::{DMat3, DQuat, DVec3};
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
 use crate::contact::Contact;
 use crate::force::Wrench;
-use crate::joint::{Ahead, Cause, DriveRow, Joints, Kind, Row};
+use crate::joint::{Ahead, Cause, Course, DriveRow, End, Joints, Kind, Row};
 use crate::mover::{Mover, Moving, Twist, Yielding};
-use assembly::{Assembly, Member};
+use assembly::{Assembly, Member, IDLE, WIDTH};
+use levers::Place;
 
 /// Rounds of the active set at most.
 const ROUNDS: usize = 60;
@@ -103,11 +106,16 @@ impl Aim {
 /// The rows of all joints and the systems that they form.
 #[derive(Clone, Debug, Default)]
 pub struct Articulation {
-    /// Bilateral rows of all joints, then those of their drives.
-    rows: Vec<Row>,
-    bilateral: usize,
+    /// Of the bilateral rows of all joints.
+    courses: Vec<Course>,
+    /// Their biases are those of velocities at these poses.
+    biased: bool,
     drives: Vec<DriveRow>,
+    /// Drives take part.
+    driven: bool,
     assemblies: Vec<Assembly>,
+    /// Assembly and place of each row: the bilateral ones, then those of the drives.
+    places: Vec<(usize, Place)>,
     /// Bodies with joints, and where they were when the rows were loaded.
     touched: Vec<usize>,
     poses: Vec<Pose>,
@@ -120,8 +128,8 @@ pub struct Articulation {
     holds: Vec<Hold>,
     /// Of the drives in the last step: where the next search begins.
     kept: Vec<Hold>,
-    /// Bilateral rows where a drift leads to.
-    ahead: Vec<Row>,
+    /// Of each body, see [`Levers::answer`].
+    answers: Vec<(f64, DMat3)>,
     trial: Vec<Twist>,
 }
 
@@ -129,43 +137,51 @@ impl Articulation {
     /// Find out which joints hang together.
     #[must_use]
     pub fn new(joints: &Joints, bodies: &[Body], ahead: Ahead) -> Self {
-        let mut out = Self::default();
-        out.load(joints, bodies, ahead);
+        let mut drives = Vec::new();
+        joints.drive_rows(bodies, ahead, &mut drives);
+        let bilateral = (0..joints.len()).map(|j| joints.rows_of(j).len()).sum();
         let members: Vec<Member> = (0..joints.len())
             .map(|j| {
-                let drives = out.drives.iter().enumerate().filter(|(_, d)| d.joint == j);
-                let rows = joints
-                    .rows_of(j)
-                    .chain(drives.map(|(k, _)| out.bilateral + k))
-                    .collect();
-                let mut touched = bodies_of(joints, j);
-                touched.retain(|&b| !bodies[b].is_fixed());
-                touched.sort_unstable();
-                touched.dedup();
+                let own = drives.iter().enumerate().filter(|(_, d)| d.joint == j);
+                let rows = joints.rows_of(j).chain(own.map(|(k, _)| bilateral + k));
+                let touched = bodies_of(joints, j);
+                let moving = touched.iter().filter(|&&b| !bodies[b].is_fixed());
                 Member {
-                    rows,
-                    bodies: touched,
+                    rows: rows.collect(),
+                    bodies: moving.copied().collect(),
+                    touched,
                 }
             })
             .collect();
-        out.touched = (0..joints.len())
-            .flat_map(|j| bodies_of(joints, j))
-            .collect();
-        out.touched.sort_unstable();
-        out.touched.dedup();
-        out.poses.clear();
-        out.assemblies = assembly::divide(&members);
-        out.homes = vec![None; bodies.len()];
-        for (index, assembly) in out.assemblies.iter().enumerate() {
+        let touched: BTreeSet<usize> = members.iter().flat_map(|m| m.touched.clone()).collect();
+        let assemblies = assembly::divide(&members);
+        let rows = bilateral + drives.len();
+        let mut homes = vec![None; bodies.len()];
+        let mut places = vec![(0, (0, 0)); rows];
+        for (index, assembly) in assemblies.iter().enumerate() {
             for &body in &assembly.bodies {
-                out.homes[body] = Some(index);
+                homes[body] = Some(index);
+            }
+            for (block, rows) in assembly.blocks.iter().enumerate() {
+                for (column, &row) in rows.iter().enumerate().filter(|(_, &row)| row != IDLE) {
+                    places[row] = (index, (block, column));
+                }
             }
         }
-        out.holds = vec![Hold::Lower; out.rows.len()];
-        out.kept = vec![Hold::Lower; out.drives.len()];
-        out.impulses = vec![0.0; out.rows.len()];
-        out.aims = vec![Aim::IDLE; out.rows.len()];
-        out
+        Self {
+            courses: vec![Course::default(); bilateral],
+            assemblies,
+            places,
+            touched: touched.into_iter().collect(),
+            homes,
+            holds: vec![Hold::Lower; rows],
+            kept: vec![Hold::Lower; drives.len()],
+            impulses: vec![0.0; rows],
+            aims: vec![Aim::IDLE; rows],
+            answers: vec![(0.0, DMat3::ZERO); bodies.len()],
+            drives,
+            ..Self::default()
+        }
     }
 
     /// No joints at all.
@@ -201,27 +217,27 @@ impl Articulation {
 
     /// Bilateral rows, joint after joint.
     #[must_use]
-    pub fn rows(&self) -> &[Row] {
-        &self.rows[..self.bilateral]
+    pub fn rows(&self) -> &[Course] {
+        &self.courses
     }
 
-    /// Bilateral rows and those of the drives, as `impulses` are ordered.
-    #[must_use]
-    pub fn all_rows(&self) -> &[Row] {
-        &self.rows
+    /// The Jacobian of a row, bilateral or, behind these, of a drive.
+    pub fn ends(&self, row: usize) -> impl Iterator<Item = End> + '_ {
+        let (assembly, place) = self.places[row];
+        self.assemblies[assembly].levers.ends(place)
     }
 
     /// Impulses of the drives in the solve at hand.
     #[must_use]
     pub fn drive_impulses(&self) -> &[f64] {
-        &self.impulses[self.bilateral..]
+        &self.impulses[self.courses.len()..]
     }
 
     /// Aim for a step of `h`: bilateral rows as `bilateral` says, drives as they ask; the search for those at a bound
     /// begins with those of the last step.
-    pub fn aim_step(&mut self, bilateral: impl Fn(&Row) -> f64, h: f64) {
+    pub fn aim_step(&mut self, bilateral: impl Fn(&Course) -> f64, h: f64) {
         self.aim(bilateral, |drive| Aim::of_step(drive, h));
-        for (row, &kept) in (self.bilateral..).zip(&self.kept) {
+        for (row, &kept) in (self.courses.len()..).zip(&self.kept) {
             if !self.aims[row].is_idle() {
                 self.holds[row] = kept;
             }
@@ -230,7 +246,7 @@ impl Articulation {
 
     /// Remember which bounded rows stand at a bound.
     pub fn keep_holds(&mut self) {
-        self.kept.copy_from_slice(&self.holds[self.bilateral..]);
+        self.kept.copy_from_slice(&self.holds[self.courses.len()..]);
     }
 
     /// What `keep_holds` kept; for checkpoints.
@@ -259,7 +275,7 @@ impl Articulation {
     /// Drive row `k` pushes, and no more than it may: what it aims at is reached.
     #[must_use]
     pub fn reaches(&self, k: usize) -> bool {
-        let row = self.bilateral + k;
+        let row = self.courses.len() + k;
         let pushes = self.drives[k].cause != Cause::Limit || self.impulses[row] > 0.0;
         pushes && self.holds[row] == Hold::Free
     }
@@ -278,26 +294,66 @@ impl Articulation {
 
     /// Rows at the present poses and velocities, and what the drives want of the step that begins.
     pub fn load(&mut self, joints: &Joints, bodies: &[Body], ahead: Ahead) {
-        joints.rows(bodies, &mut self.rows);
-        self.bilateral = self.rows.len();
-        joints.drive_rows(bodies, ahead, &mut self.drives);
-        self.rows.extend(self.drives.iter().map(|d| d.row));
-        self.weigh(bodies);
-    }
-
-    /// As `load_bilateral`, but the bias of the rows may be that of velocities that bodies had at these poses before.
-    pub fn load_places(&mut self, joints: &Joints, bodies: &[Body]) {
-        if !self.is_loaded_at(bodies) {
-            self.load_bilateral(joints, bodies);
+        if !self.drives.is_empty() {
+            joints.drive_rows(bodies, ahead, &mut self.drives);
+            self.driven = true;
         }
+        self.load_anew(joints, bodies);
     }
 
     /// Bilateral rows at the present poses and velocities; drives take no part until the next `load`.
     pub fn load_bilateral(&mut self, joints: &Joints, bodies: &[Body]) {
-        let drives = self.drives.len();
-        joints.rows(bodies, &mut self.rows);
-        self.rows.resize(self.bilateral + drives, Row::default());
-        self.weigh(bodies);
+        self.driven = false;
+        self.load_anew(joints, bodies);
+    }
+
+    /// As `load_bilateral`, but the bias of the rows may be that of velocities that bodies had at these poses before.
+    pub fn load_near(&mut self, joints: &Joints, bodies: &[Body]) {
+        if !(self.biased && self.is_loaded_at(bodies)) {
+            self.load_bilateral(joints, bodies);
+        }
+    }
+
+    /// As `load_bilateral`, but for the bias of the rows.
+    pub fn load_places(&mut self, joints: &Joints, bodies: &[Body]) {
+        if !self.is_loaded_at(bodies) {
+            self.driven = false;
+            self.biased = false;
+            self.place(joints, bodies, false);
+        }
+    }
+
+    fn load_anew(&mut self, joints: &Joints, bodies: &[Body]) {
+        self.biased = true;
+        if self.is_loaded_at(bodies) {
+            let courses = &mut self.courses;
+            joints.rows(bodies, true, |r, rows| courses[r] = course(rows));
+        } else {
+            self.place(joints, bodies, true);
+        }
+    }
+
+    /// Rows and their Jacobians.
+    fn place(&mut self, joints: &Joints, bodies: &[Body], biased: bool) {
+        let (courses, places) = (&mut self.courses, &self.places);
+        let assemblies = &mut self.assemblies;
+        joints.rows(bodies, biased, |r, rows| {
+            courses[r] = course(rows);
+            let (assembly, at) = places[r];
+            assemblies[assembly].levers.place(at, rows);
+        });
+        if self.driven {
+            for (drive, &(assembly, at)) in self.drives.iter().zip(&places[courses.len()..]) {
+                assemblies[assembly].levers.place(at, &[drive.row]);
+            }
+        }
+        for a in assemblies {
+            a.levers.weigh(bodies);
+            a.factored = false;
+        }
+        self.poses.clear();
+        self.poses
+            .extend(self.touched.iter().map(|&k| pose_of(&bodies[k])));
     }
 
     /// Bodies have the poses of the last load, and rows are nothing but those of joints.
@@ -308,38 +364,31 @@ impl Articulation {
             && self.touched.iter().zip(&self.poses).all(same)
     }
 
-    fn weigh(&mut self, bodies: &[Body]) {
-        if self.is_loaded_at(bodies) {
-            return;
-        }
-        self.poses.clear();
-        self.poses
-            .extend(self.touched.iter().map(|&k| pose_of(&bodies[k])));
-        for a in &mut self.assemblies {
-            let rows = a.rows.iter().map(|&row| &self.rows[row]);
-            a.levers.load(rows.zip(a.places.iter().copied()), bodies);
-            a.factored.clear();
+    /// Rates of the bilateral rows are those of bodies that move like this.
+    pub(crate) fn note_rates(&mut self, moving: &[impl Moving]) {
+        for a in &self.assemblies {
+            a.note_rates(moving, &mut self.courses);
         }
     }
 
     /// Forget the impulses, and aim: bilateral rows as `bilateral` says, drives as `drive` says.
-    pub fn aim(&mut self, bilateral: impl Fn(&Row) -> f64, drive: impl Fn(&DriveRow) -> Aim) {
-        let drives = &self.drives;
-        for (index, aim) in self.aims.iter_mut().enumerate() {
-            let row = &self.rows[index];
-            *aim = if row.count == 0 {
-                Aim::IDLE
-            } else if index < self.bilateral {
+    pub fn aim(&mut self, bilateral: impl Fn(&Course) -> f64, drive: impl Fn(&DriveRow) -> Aim) {
+        let (held, driven) = self.aims.split_at_mut(self.courses.len());
+        for (aim, row) in held.iter_mut().zip(&self.courses) {
+            *aim = if row.holds {
                 Aim::held(bilateral(row))
             } else {
-                drive(&drives[index - self.bilateral])
+                Aim::IDLE
             };
+        }
+        for (aim, row) in driven.iter_mut().zip(&self.drives) {
+            *aim = if self.driven { drive(row) } else { Aim::IDLE };
         }
         self.impulses.fill(0.0);
         for (index, hold) in self.holds.iter_mut().enumerate() {
             if self.aims[index].is_idle() {
                 *hold = Hold::Lower;
-            } else if index < self.bilateral {
+            } else if index < self.courses.len() {
                 *hold = Hold::Free;
             }
         }
@@ -361,17 +410,15 @@ impl Articulation {
 
     /// What is left of given motions when the free rows hold still: V - M^-1 J^T A^-1 J V.
     pub(crate) fn respond(&mut self, assembly: usize, motions: &mut [Twist]) {
-        let rows = &self.rows;
-        self.assemblies[assembly].ask(&self.holds, |row| -rows[row].rate(motions));
+        self.assemblies[assembly].ask_rates(&self.holds, motions, |_| 0.0);
         self.divide(assembly);
         self.assemblies[assembly].push(motions);
     }
 
     /// The same to some digits, without refinement.
     fn respond_roughly(&mut self, assembly: usize, motions: &mut [Twist]) {
-        let rows = &self.rows;
         let a = &mut self.assemblies[assembly];
-        a.ask(&self.holds, |row| -rows[row].rate(motions));
+        a.ask_rates(&self.holds, motions, |_| 0.0);
         a.factor(&self.holds);
         a.divide_roughly();
         a.push(motions);
@@ -398,19 +445,23 @@ impl Articulation {
     }
 
     /// Look ahead to the end of a drift: bilateral rows where it leads to, and how bodies answer there to impulses at its
-    /// start, see [`Levers::look_ahead`]. Rows and impulses stay those of the start.
+    /// start, see [`Levers::answer`]. Rows and impulses stay those of the start.
     pub fn look_ahead(
         &mut self,
         joints: &Joints,
         bodies: &[Body],
         answer: impl Fn(usize) -> (f64, DMat3),
     ) {
-        joints.rows(bodies, &mut self.ahead);
-        self.ahead.resize(self.rows.len(), Row::default());
-        for a in &mut self.assemblies {
-            let rows = a.rows.iter().map(|&row| &self.ahead[row]);
-            a.levers
-                .look_ahead(rows.zip(a.places.iter().copied()), &answer);
+        for a in &self.assemblies {
+            a.bodies.iter().for_each(|&k| self.answers[k] = answer(k));
+        }
+        let (assemblies, places) = (&mut self.assemblies, &self.places);
+        joints.rows(bodies, false, |r, rows| {
+            let (assembly, at) = places[r];
+            assemblies[assembly].levers.place_ahead(at, rows);
+        });
+        for a in assemblies {
+            a.levers.answer(&self.answers);
             a.factor_ahead(&self.holds);
         }
     }
@@ -420,7 +471,7 @@ impl Articulation {
         for assembly in 0..self.assemblies.len() {
             self.ask_bilateral(assembly, missing);
             let a = &mut self.assemblies[assembly];
-            a.ldu_ahead.solve(&mut a.solution);
+            a.divide_ahead();
             a.kick(bodies, &mut self.impulses);
         }
     }
@@ -436,13 +487,12 @@ impl Articulation {
     }
 
     fn ask_bilateral(&mut self, assembly: usize, missing: &[f64]) {
-        let bilateral = self.bilateral;
-        let of = |row: usize| if row < bilateral { missing[row] } else { 0.0 };
+        let of = |row: usize| missing.get(row).copied().unwrap_or(0.0);
         self.assemblies[assembly].ask(&self.holds, of);
     }
 
     /// Bilateral rows change given accelerations so that theirs are as `asked`; their forces stay in `impulses`.
-    pub fn hold(&mut self, asked: impl Fn(&Row) -> f64, accelerations: &mut [Twist]) {
+    pub fn hold(&mut self, asked: impl Fn(&Course) -> f64, accelerations: &mut [Twist]) {
         self.aim(asked, |_| Aim::IDLE);
         for assembly in 0..self.assemblies.len() {
             self.solve(assembly, accelerations);
@@ -451,8 +501,11 @@ impl Articulation {
 
     /// Add J^T y to wrenches, y the forces of the last `hold`.
     pub fn add_forces(&self, wrenches: &mut [Wrench]) {
-        for (row, &y) in self.rows().iter().zip(&self.impulses) {
-            row.add_to(y, wrenches);
+        for (row, &y) in (0..self.courses.len()).zip(&self.impulses) {
+            for end in self.ends(row) {
+                wrenches[end.body].force += end.linear * y;
+                wrenches[end.body].torque += end.angular * y;
+            }
         }
     }
 
@@ -481,23 +534,26 @@ impl Articulation {
     /// Rows at a bound push just as much as it says.
     fn clamp(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
         let a = &self.assemblies[assembly];
-        for (&row, &(block, place)) in a.rows.iter().zip(&a.places) {
-            let bound = match self.holds[row] {
-                Hold::Free => continue,
-                Hold::Lower => self.aims[row].lower,
-                Hold::Upper => self.aims[row].upper,
-            };
-            let change = bound - self.impulses[row];
-            if change != 0.0 {
+        for (block, rows) in a.blocks.iter().enumerate() {
+            let mut changes = DVec3::ZERO;
+            for (change, &row) in changes.as_mut().iter_mut().zip(rows) {
+                let bound = match self.holds.get(row) {
+                    None | Some(Hold::Free) => continue,
+                    Some(Hold::Lower) => self.aims[row].lower,
+                    Some(Hold::Upper) => self.aims[row].upper,
+                };
+                *change = bound - self.impulses[row];
                 self.impulses[row] = bound;
-                a.levers.push(block, DVec3::AXES[place] * change, moving);
+            }
+            if changes != DVec3::ZERO {
+                a.levers.push(block, changes, moving);
             }
         }
     }
 
     fn solve_free(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
-        let (rows, aims) = (&self.rows, &self.aims);
-        self.assemblies[assembly].ask(&self.holds, |row| aims[row].target - rows[row].rate(moving));
+        let aims = &self.aims;
+        self.assemblies[assembly].ask_rates(&self.holds, moving, |row| aims[row].target);
         if self.assemblies[assembly].asks_nothing() {
             return;
         }
@@ -510,12 +566,13 @@ impl Articulation {
     /// Free rows beyond a bound are clamped, clamped rows that would rather be inside are freed.
     fn change_holds(&mut self, assembly: usize, moving: &[impl Moving], only_first: bool) -> bool {
         let mut any = false;
-        for slot in 0..self.assemblies[assembly].rows.len() {
-            let row = self.assemblies[assembly].rows[slot];
-            if row < self.bilateral || self.aims[row].is_idle() {
+        for slot in 0..WIDTH * self.assemblies[assembly].blocks.len() {
+            let row = self.assemblies[assembly].blocks[slot / WIDTH][slot % WIDTH];
+            if row < self.courses.len() || row == IDLE || self.aims[row].is_idle() {
                 continue;
             }
-            let next = self.wanted_hold(row, self.rows[row].rate(moving));
+            let drive = &self.drives[row - self.courses.len()];
+            let next = self.wanted_hold(row, drive.row.rate(moving));
             if next != self.holds[row] {
                 self.holds[row] = next;
                 any = true;
@@ -554,10 +611,23 @@ fn pose_of(body: &Body) -> Pose {
     (body.state.position, body.state.orientation)
 }
 
-/// Bodies that a joint touches; of a gear those of its joints.
-fn bodies_of(joints: &Joints, j: usize) -> Vec<usize> {
-    match joints.model(j).kind {
-        Kind::Gear { joints: two, .. } => two.iter().flat_map(|&k| bodies_of(joints, k)).collect(),
-        _ => joints.model(j).bodies.to_vec(),
+/// Value and bias of a sum of rows.
+fn course(rows: &[Row]) -> Course {
+    Course {
+        value: rows.iter().map(|row| row.value).sum(),
+        bias: rows.iter().map(|row| row.bias).sum(),
+        holds: !rows.is_empty(),
+        rate: 0.0,
     }
+}
+
+/// Bodies that a joint touches, ascending; of a gear those of its joints.
+fn bodies_of(joints: &Joints, j: usize) -> Vec<usize> {
+    let mut bodies = match joints.model(j).kind {
+        Kind::Gear { joints: two, .. } => two.map(|k| bodies_of(joints, k)).concat(),
+        _ => joints.model(j).bodies.to_vec(),
+    };
+    bodies.sort_unstable();
+    bodies.dedup();
+    bodies
 }

@@ -16,6 +16,8 @@
 //! made in equal parts in which it swings by little (`articulation/swing.rs`): kicks and drift by the tension of what pulls
 //! at it, the drift alone by that and what its own motion adds.
 
+use glam::DVec3;
+
 use super::dynamics::{free_accelerations, Dynamics};
 use super::Integrator;
 use crate::body::{Body, State};
@@ -114,8 +116,12 @@ impl Dynamics<'_> {
     }
 
     fn divide(&mut self, bodies: &mut [Body], division: Division, advance: Advance) {
+        if division.halvings == 0 {
+            advance(bodies, self);
+            return;
+        }
         let turn = self.fastest_turn(bodies);
-        if division.halvings == 0 || turn <= SLOW {
+        if turn <= SLOW {
             advance(bodies, self);
             return;
         }
@@ -161,8 +167,16 @@ impl Dynamics<'_> {
     /// will do.
     fn swiftest_swing(&mut self, bodies: &[Body], forces: &[f64]) -> f64 {
         let mut stiffness = std::mem::take(&mut self.scratch.stiffness);
-        let rows = self.articulation.rows();
-        self.joints.stiffness(rows, forces, bodies, &mut stiffness);
+        let (joints, articulation) = (self.joints, &*self.articulation);
+        let pull = |j: usize, k: usize| {
+            let mut pull = DVec3::ZERO;
+            for r in joints.rows_of(j) {
+                let end = articulation.ends(r).find(|end| end.body == k);
+                pull += end.map_or(DVec3::ZERO, |end| end.linear * forces[r]);
+            }
+            pull
+        };
+        joints.stiffness(pull, bodies, &mut stiffness);
         let slow = SWING / self.span.1;
         let square = self
             .articulation

@@ -5,7 +5,7 @@ use glam::DMat3;
 use crate::articulation::Articulation;
 use crate::body::Body;
 use crate::force::{Forces, Powers, Wrench};
-use crate::joint::{Joints, Row};
+use crate::joint::{Course, Joints};
 use crate::mover::Twist;
 use crate::paths::Paths;
 use crate::profile::Moment;
@@ -107,7 +107,10 @@ impl Dynamics<'_> {
         let h = self.span.1;
         self.articulation.load_bilateral(self.joints, bodies);
         let pull = if self.baumgarte { self.beta / h } else { 0.0 };
-        let asked = |row: &Row| -row.bias - pull * (2.0 * row.rate(bodies) + pull * row.value);
+        if self.baumgarte {
+            self.articulation.note_rates(bodies);
+        }
+        let asked = |row: &Course| -row.bias - pull * (2.0 * row.rate + pull * row.value);
         let accelerations = &mut self.scratch.twists;
         let time = self.span.0 + node * h;
         accelerations_at(

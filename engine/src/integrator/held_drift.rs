@@ -42,7 +42,7 @@ impl Dynamics<'_> {
 
     fn drift_jointed(&mut self, bodies: &mut [Body], splitting: Splitting) {
         let h = self.span.1;
-        self.articulation.load_places(self.joints, bodies);
+        self.articulation.load_near(self.joints, bodies);
         self.articulation.clear_impulses();
         let mut wanted = std::mem::take(&mut self.scratch.values);
         wanted.clear();
@@ -154,8 +154,9 @@ impl Dynamics<'_> {
         let half = 0.5 * self.span.1;
         let mut missing = std::mem::take(&mut self.scratch.missing);
         missing.clear();
+        self.articulation.note_rates(bodies);
         let rows = self.articulation.rows().iter();
-        missing.extend(rows.map(|row| -row.rate(bodies) - half * row.bias));
+        missing.extend(rows.map(|row| -row.rate - half * row.bias));
         self.articulation.kick(bodies, &missing);
         self.place_prescribed(bodies, 1.0);
         for (start, body) in starts.iter_mut().zip(bodies) {
@@ -183,12 +184,9 @@ impl Dynamics<'_> {
         };
         let mut missing = std::mem::take(&mut self.scratch.missing);
         missing.clear();
-        missing.extend(
-            self.articulation
-                .rows()
-                .iter()
-                .map(|row| -pull * row.value - row.rate(bodies)),
-        );
+        self.articulation.note_rates(bodies);
+        let rows = self.articulation.rows().iter();
+        missing.extend(rows.map(|row| -pull * row.value - row.rate));
         self.articulation.kick(bodies, &missing);
         self.scratch.missing = missing;
     }
@@ -232,7 +230,7 @@ impl Articulation {
             }
             error = restored.left;
             restored.moved = true;
-            self.load_bilateral(joints, bodies);
+            self.load_places(joints, bodies);
             self.clear_impulses();
             self.displacements(&scratch.missing, &mut scratch.shifts);
             let shifted = bodies.iter_mut().zip(&scratch.shifts);

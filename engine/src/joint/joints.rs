@@ -11,7 +11,7 @@ use super::lock::Lock;
 use super::measure::Measure;
 use super::model::{DriveModel, JointModel, Kind};
 use super::placement::{Motion, Mount, Placement};
-use super::row::Row;
+use super::row::{End, Row};
 use crate::body::Body;
 
 /// What checkpoints keep of the joints.
@@ -133,25 +133,36 @@ impl Joints {
         joint.first_row..joint.first_row + joint.row_count()
     }
 
-    /// All bilateral rows, joint after joint. Those of a broken joint and of a coordinate that is not held hold nothing.
-    pub fn rows(&self, bodies: &[Body], out: &mut Vec<Row>) {
-        out.clear();
+    /// All bilateral rows, joint after joint, each with its number, as a sum of rows between two bodies: of two rows that of a
+    /// gear, of none that of a broken joint and of a coordinate that is not held. With their biases where that is asked.
+    #[inline]
+    pub fn rows(&self, bodies: &[Body], biased: bool, mut each: impl FnMut(usize, &[Row])) {
         for (j, joint) in self.joints.iter().enumerate() {
+            let mut numbers = self.rows_of(j);
             if self.state.broken[j] {
-                out.resize(out.len() + joint.row_count(), Row::default());
+                numbers.for_each(|r| each(r, &[]));
                 continue;
             }
             let at = Placement::new(&joint.mounts, bodies);
-            let motion = Motion::new(&at, bodies);
-            for &equation in joint.equations() {
-                out.push(self.row(joint, equation, &at, &motion, bodies));
+            let motion = biased.then(|| Motion::new(&at, bodies));
+            for (&equation, r) in joint.equations().iter().zip(&mut numbers) {
+                match (equation, joint.model.kind) {
+                    (Equation::Gear, Kind::Gear { ratio, joints }) => {
+                        let [first, second] = joints.map(|k| self.angle_row(k, bodies));
+                        each(r, &[second, first.scaled(-ratio)]);
+                    }
+                    _ => each(r, &[self.row(joint, equation, &at, motion.as_ref())]),
+                }
             }
-            for &k in joint.lockable() {
-                out.push(self.locks[k].map_or_else(Row::default, |lock| {
-                    let mut row = self.placed_row(joint, self.drives[k].coordinate, &at, &motion);
-                    row.value -= lock.place;
-                    row
-                }));
+            for (&k, r) in joint.lockable().iter().zip(numbers) {
+                let Some(lock) = self.locks[k] else {
+                    each(r, &[]);
+                    continue;
+                };
+                let mut row =
+                    self.placed_row(joint, self.drives[k].coordinate, &at, motion.as_ref());
+                row.value -= lock.place;
+                each(r, &[row]);
             }
         }
     }
@@ -187,13 +198,13 @@ impl Joints {
         }
     }
 
+    #[inline(always)]
     fn row(
         &self,
         joint: &Joint,
         equation: Equation,
         at: &Placement,
-        motion: &Motion,
-        bodies: &[Body],
+        motion: Option<&Motion>,
     ) -> Row {
         match (equation, joint.model.kind) {
             (Equation::Zero(measure), _) => measure.row(at, motion),
@@ -205,10 +216,6 @@ impl Joints {
             (Equation::Thread, Kind::Screw { pitch }) => {
                 let angle = self.placed_row(joint, 0, at, motion);
                 Measure::Gap(2).row(at, motion).plus(&angle.scaled(-pitch))
-            }
-            (Equation::Gear, Kind::Gear { ratio, joints }) => {
-                let [first, second] = joints.map(|k| self.angle_row(k, bodies));
-                second.plus(&first.scaled(-ratio))
             }
             _ => unreachable!("the table of kinds gives each kind its own equations"),
         }
@@ -241,7 +248,7 @@ impl Joints {
     }
 
     /// Its row.
-    fn placed_row(&self, joint: &Joint, k: usize, at: &Placement, motion: &Motion) -> Row {
+    fn placed_row(&self, joint: &Joint, k: usize, at: &Placement, motion: Option<&Motion>) -> Row {
         let mut row = joint.coordinates()[k].row(at, motion);
         row.value = self.placed(joint, k, at);
         row
@@ -251,7 +258,7 @@ impl Joints {
     pub(super) fn coordinate_row(&self, j: usize, k: usize, bodies: &[Body]) -> Row {
         let joint = &self.joints[j];
         let at = Placement::new(&joint.mounts, bodies);
-        self.placed_row(joint, k, &at, &Motion::new(&at, bodies))
+        self.placed_row(joint, k, &at, Some(&Motion::new(&at, bodies)))
     }
 
     /// Coordinate `k` of joint `j`.
@@ -306,25 +313,22 @@ impl Joints {
         (lengths.sqrt(), angles.sqrt())
     }
 
-    /// Impulse [N s] and turning impulse [N m s] on body A that these rows of joint `j` pass on: the sum of J_A^T lambda,
-    /// the turning impulse about the anchor of A. With forces instead of impulses: force and torque.
+    /// Impulse [N s] and turning impulse [N m s] on body A that joint `j` passes on: the sum of J_A^T lambda, the turning
+    /// impulse about the anchor of A. With forces instead of impulses: force and torque. Of a gear: on its first wheel.
     ///
-    /// `rows` and `impulses` are those of the joint alone, bilateral or of its drives. Of a gear: on its first wheel.
+    /// `pushes` are the ends of its rows, bilateral or of its drives, each with the impulse of its row.
     #[must_use]
     pub fn reaction(
         &self,
         j: usize,
-        rows: &[Row],
-        impulses: &[f64],
+        pushes: impl Iterator<Item = (End, f64)>,
         bodies: &[Body],
     ) -> (DVec3, DVec3) {
         let [mount, _] = &self.joints[j].mounts;
         let (mut impulse, mut turning) = (DVec3::ZERO, DVec3::ZERO);
-        for (row, &lambda) in rows.iter().zip(impulses) {
-            for end in row.ends().iter().filter(|end| end.body == mount.body) {
-                impulse += lambda * end.linear;
-                turning += lambda * end.angular;
-            }
+        for (end, lambda) in pushes.filter(|(end, _)| end.body == mount.body) {
+            impulse += lambda * end.linear;
+            turning += lambda * end.angular;
         }
         (impulse, turning - mount.arm(bodies).cross(impulse))
     }

@@ -7,8 +7,7 @@
 use std::ops::Range;
 
 use super::joints::Joints;
-use super::row::Row;
-use crate::body::Body;
+use super::row::Course;
 
 /// Where a coordinate is held.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,12 +45,12 @@ impl Joints {
     }
 
     /// Change of each row's rate [m/s or rad/s] that brings held coordinates to rest.
-    pub fn arrest(&self, rows: &[Row], bodies: &[Body], by_limit: bool, missing: &mut Vec<f64>) {
+    pub fn arrest(&self, rows: &[Course], by_limit: bool, missing: &mut Vec<f64>) {
         missing.clear();
         missing.resize(rows.len(), 0.0);
         for (r, lock) in self.lock_rows() {
             if lock.by_limit == by_limit {
-                missing[r] = -rows[r].rate(bodies);
+                missing[r] = -rows[r].rate;
             }
         }
     }

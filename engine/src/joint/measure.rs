@@ -89,15 +89,18 @@ impl Measure {
     }
 
     /// Its row, with `value` as the value.
-    pub(super) fn row(self, at: &Placement, motion: &Motion) -> Row {
+    #[inline(always)]
+    pub(super) fn row(self, at: &Placement, motion: Option<&Motion>) -> Row {
         match self {
             Self::Gap(k) => gap(at.axes.col(k), at, motion),
-            Self::Length => length(at, motion),
-            _ => {
-                let slope = self.slope(at, motion);
-                at.turning(slope.angular, self.value(at), slope.bias)
-            }
+            Self::Length => length(at, motion.unwrap_or(&Motion::NONE)),
+            _ => self.turning_row(at, motion.unwrap_or(&Motion::NONE)),
         }
+    }
+
+    fn turning_row(self, at: &Placement, motion: &Motion) -> Row {
+        let slope = self.slope(at, motion);
+        at.turning(slope.angular, self.value(at), slope.bias)
     }
 
     fn slope(self, at: &Placement, motion: &Motion) -> Slope {
@@ -120,11 +123,13 @@ impl Measure {
 /// C'  = e . d' + (omega_A x e) . d, d' = v_B + omega_B x r_B - v_A - omega_A x r_A:
 ///       A (-e, -(r_A + d) x e), B (e, r_B x e)
 /// C'' = e . d'' + 2 (omega_A x e) . d' + (omega_A x (omega_A x e)) . d
-fn gap(e: DVec3, at: &Placement, motion: &Motion) -> Row {
-    let spin = motion.spins.0;
-    let e_rate = spin.cross(e);
-    let bias =
-        e.dot(motion.gap_bias) + 2.0 * e_rate.dot(motion.gap_rate) + spin.cross(e_rate).dot(at.gap);
+#[inline(always)]
+fn gap(e: DVec3, at: &Placement, motion: Option<&Motion>) -> Row {
+    let bias = motion.map_or(0.0, |motion| {
+        let spin = motion.spins.0;
+        let e_rate = spin.cross(e);
+        e.dot(motion.gap_bias) + 2.0 * e_rate.dot(motion.gap_rate) + spin.cross(e_rate).dot(at.gap)
+    });
     at.pulling(e, at.arms.0 + at.gap, e.dot(at.gap), bias)
 }
 

@@ -20,7 +20,7 @@ pub use drive::{Ahead, Cause, DriveRow};
 pub use joints::{JointState, Joints};
 pub use lock::Lock;
 pub use model::{DriveModel, JointModel, Kind, Motor};
-pub use row::{End, Row};
+pub use row::{Course, End, Row};
 
 #[cfg(test)]
 mod drive_tests;

@@ -81,32 +81,31 @@ impl<'a> Placement<'a> {
             linear: DVec3::ZERO,
             angular,
         };
-        Row::between(
-            end(self.bodies.0, -angular),
-            end(self.bodies.1, angular),
+        Row {
+            ends: [end(self.bodies.0, -angular), end(self.bodies.1, angular)],
             value,
             bias,
-            true,
-        )
+        }
     }
 
     /// A row that pulls the anchors apart along `e`; the force on A acts at the point `arm` from its centre of mass.
+    #[inline(always)]
     pub(super) fn pulling(&self, e: DVec3, arm: DVec3, value: f64, bias: f64) -> Row {
-        Row::between(
-            End {
-                body: self.bodies.0,
-                linear: -e,
-                angular: -arm.cross(e),
-            },
-            End {
-                body: self.bodies.1,
-                linear: e,
-                angular: self.arms.1.cross(e),
-            },
+        let a = End {
+            body: self.bodies.0,
+            linear: -e,
+            angular: -arm.cross(e),
+        };
+        let b = End {
+            body: self.bodies.1,
+            linear: e,
+            angular: self.arms.1.cross(e),
+        };
+        Row {
+            ends: [a, b],
             value,
             bias,
-            false,
-        )
+        }
     }
 }
 
@@ -122,6 +121,13 @@ pub(super) struct Motion {
 }
 
 impl Motion {
+    /// They stand still.
+    pub(super) const NONE: Self = Self {
+        spins: (DVec3::ZERO, DVec3::ZERO),
+        gap_rate: DVec3::ZERO,
+        gap_bias: DVec3::ZERO,
+    };
+
     pub(super) fn new(at: &Placement, bodies: &[Body]) -> Self {
         let (a, b) = (&bodies[at.bodies.0], &bodies[at.bodies.1]);
         let spins = (a.angular_velocity, b.angular_velocity);

@@ -133,7 +133,8 @@ impl Joints {
     pub fn pull_on(&self, j: usize, bodies: &[Body], time: f64) -> (DVec3, DVec3) {
         let mut load = (DVec3::ZERO, DVec3::ZERO);
         for (row, pull) in self.pulls(Some(j), bodies, time) {
-            let (force, torque) = self.reaction(j, &[row], &[pull.total()], bodies);
+            let pushes = row.ends.map(|end| (end, pull.total()));
+            let (force, torque) = self.reaction(j, pushes.into_iter(), bodies);
             load.0 += force;
             load.1 += torque;
         }
@@ -149,7 +150,7 @@ impl Joints {
 /// Force `f` along `row` on its moving bodies; returns the power that bodies in prescribed motion pass on.
 fn push(row: &Row, f: f64, bodies: &[Body], wrenches: &mut [Wrench]) -> f64 {
     let mut passed = 0.0;
-    for end in row.ends() {
+    for end in &row.ends {
         if bodies[end.body].is_fixed() {
             passed -= f * end.rate(bodies);
         } else {

@@ -9,21 +9,21 @@ use glam::{DMat3, DVec3};
 
 use super::joints::Joints;
 use super::placement::Mount;
-use super::row::Row;
 use crate::body::Body;
 
 impl Joints {
-    /// K of every body [N m/rad], by the forces of the bilateral rows.
-    pub fn stiffness(&self, rows: &[Row], forces: &[f64], bodies: &[Body], out: &mut Vec<DMat3>) {
+    /// K of every body [N m/rad]. `pull(j, k)` is the force of joint j on body k.
+    pub fn stiffness(
+        &self,
+        pull: impl Fn(usize, usize) -> DVec3,
+        bodies: &[Body],
+        out: &mut Vec<DMat3>,
+    ) {
         out.clear();
         out.resize(bodies.len(), DMat3::ZERO);
         for (j, joint) in self.joints.iter().enumerate() {
             for mount in &joint.mounts {
-                let mut pull = DVec3::ZERO;
-                for r in self.rows_of(j) {
-                    let ends = rows[r].ends().iter().filter(|e| e.body == mount.body);
-                    pull += ends.map(|e| e.linear).sum::<DVec3>() * forces[r];
-                }
+                let pull = pull(j, mount.body);
                 out[mount.body] += turning_stiffness(pull, mount.arm(bodies));
             }
         }

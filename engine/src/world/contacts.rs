@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::body::Body;
 use crate::contact::{Contact, Remembered};
-use crate::joint::{Cause, Row};
+use crate::joint::{Cause, Course};
 use crate::ledger::Ledger;
 use crate::loads::work_of_fixed;
 use crate::math::length;
@@ -48,7 +48,7 @@ impl World {
         } else {
             0.0
         };
-        let hold = |row: &Row| {
+        let hold = |row: &Course| {
             if pull > 0.0 {
                 -pull * row.value
             } else {
@@ -99,10 +99,10 @@ impl World {
         }
         self.articulation.load_bilateral(&self.joints, &self.bodies);
         self.articulation.clear_impulses();
+        self.articulation.note_rates(&self.bodies);
         let before = self.kinetic_energy(h);
         let rows = self.articulation.rows();
-        self.joints
-            .arrest(rows, &self.bodies, by_limit, &mut self.values);
+        self.joints.arrest(rows, by_limit, &mut self.values);
         self.articulation.kick(&mut self.bodies, &self.values);
         let lost = before - self.kinetic_energy(h);
         if by_limit {
@@ -183,7 +183,7 @@ impl World {
             }
             let mean = 0.5 * (drive.row.rate(&self.bodies) + self.solver.rate(&drive.row));
             let work = impulse * mean;
-            self.ledger.work_motors += work_of_fixed(&[drive.row], &[impulse], &self.bodies);
+            self.ledger.work_motors += work_of_fixed(&drive.row, impulse, &self.bodies);
             match drive.cause {
                 Cause::Limit => self.ledger.book(work, 0.0),
                 Cause::Friction => self.ledger.book(0.0, work),

@@ -384,8 +384,7 @@ impl World {
         if !self.paths.is_empty() {
             self.paths.arrive(&mut self.bodies, time);
             self.articulation.load_bilateral(&self.joints, &self.bodies);
-            let rows = self.articulation.rows();
-            self.loads.note_fixed(rows, &self.bodies);
+            self.loads.note_fixed(&self.articulation, &self.bodies);
         }
         let loads = &mut self.loads;
         loads.reactions.clear();
@@ -418,8 +417,8 @@ impl World {
         self.ledger.lost_damping -= work.damping;
         self.ledger.stabilization += stabilization;
         if !self.paths.is_empty() {
-            let rows = self.articulation.rows();
-            self.ledger.work_motors += self.loads.work_of_paths(rows, &self.bodies);
+            let work = self.loads.work_of_paths(&self.articulation, &self.bodies);
+            self.ledger.work_motors += work;
         }
         if self.impacts.any || !self.contacts.is_empty() {
             self.joints.values(&self.bodies, &mut self.values);

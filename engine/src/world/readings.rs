@@ -171,7 +171,7 @@ impl World {
         self.loads
             .solve_reactions(&self.bodies, system, (&self.paths, time));
         let drives = self.articulation.drives();
-        let rows = self.articulation.rows();
+        let articulation = &self.articulation;
         let impacts = &self.impacts.joint_impulses;
         let impulses = self.articulation.impulses().iter().enumerate();
         // Like forces of contacts, an impact counts as a mean over its step.
@@ -179,17 +179,16 @@ impl World {
             .map(|(k, &x)| x + impacts.get(k).unwrap_or(&0.0) / self.settings.timestep)
             .collect();
         let one = |j: usize| {
-            let own = self.joints.rows_of(j);
-            let held = self
-                .joints
-                .reaction(j, &rows[own.clone()], &forces[own], &self.bodies);
+            let rows = self.joints.rows_of(j);
+            let pushes = rows.flat_map(|r| articulation.ends(r).map(move |end| (end, r)));
+            let pushes = pushes.map(|(end, r)| (end, forces[r]));
+            let held = self.joints.reaction(j, pushes, &self.bodies);
             let pulled = self.joints.pull_on(j, &self.bodies, time);
             let mut load = (held.0 + pulled.0, held.1 + pulled.1);
             let forces = drives.iter().zip(&self.loads.drive_forces);
             for (drive, &force) in forces.filter(|(d, _)| d.joint == j) {
-                let (f, t) = self
-                    .joints
-                    .reaction(j, &[drive.row], &[force], &self.bodies);
+                let pushes = drive.row.ends.map(|end| (end, force));
+                let (f, t) = self.joints.reaction(j, pushes.into_iter(), &self.bodies);
                 load = (load.0 + f, load.1 + t);
             }
             load
