@@ -23,27 +23,39 @@ FREE: Mapping[JointKind, tuple[FloatArray, ...]] = MappingProxyType(
         JointKind.CYLINDRICAL: (Z, ABOUT_Z),
         JointKind.UNIVERSAL: (ABOUT_Z, ABOUT_X),
         JointKind.PLANAR: (X, Y, ABOUT_Z),
+        JointKind.BALL: (ABOUT_X, ABOUT_Y, ABOUT_Z),
+        JointKind.CONE: (ABOUT_X, ABOUT_Y, ABOUT_Z),
     }
 )
-"""The coordinates of each kind, in their order."""
+"""What each kind leaves free: its coordinates, in their order; of ball and cone, which have none, turning."""
 
 
 def mobility(joint: Joint, coordinate: int) -> float:
-    """Acceleration of the coordinate by a unit force or torque along it [1/kg or 1/(kg m^2)].
+    """Acceleration of the coordinate by a unit force or torque along it [1/kg or 1/(kg m^2)]."""
+    free = np.array(FREE[joint.kind])
+    return max(float(_mobility(joint, free)[coordinate, coordinate]), 0.0)
 
-    With K = J M^-1 J^T of the six relative motions, d the coordinate and h what the joint holds: the Schur
-    complement K_dd - K_dh K_hh^+ K_hd, which is what is left of the coordinate's own mobility once the forces
-    of the joint (those that keep the accelerations of h at zero) are eliminated.
+
+def greatest_mobility(joint: Joint) -> float:
+    """The same along the direction in which it is greatest, of joints whose motions are all turning."""
+    return max(float(np.linalg.eigvalsh(_mobility(joint, np.array(FREE[joint.kind])))[-1]), 0.0)
+
+
+def _mobility(joint: Joint, free: FloatArray) -> FloatArray:
+    """(f, f) accelerations of the free motions by forces along them.
+
+    With K = J M^-1 J^T of the six relative motions, d the free ones and h what the joint holds: the Schur
+    complement K_dd - K_dh K_hh^+ K_hd, which is what is left of their own mobility once the forces of the
+    joint (those that keep the accelerations of h at zero) are eliminated.
     """
     K = sum(_relative(end, arm, joint) for end, arm in zip(joint.ends, joint.anchors, strict=True))
-    free = FREE[joint.kind]
-    driven, held = free[coordinate], _held(joint, free)
-    across = held @ K @ driven
-    found = driven @ K @ driven - across @ np.linalg.pinv(held @ K @ held.T) @ across
-    return max(float(found), 0.0)
+    held = _held(joint, free)
+    across = held @ K @ free.T
+    found: FloatArray = free @ K @ free.T - across.T @ np.linalg.pinv(held @ K @ held.T) @ across
+    return found
 
 
-def _held(joint: Joint, free: tuple[FloatArray, ...]) -> FloatArray:
+def _held(joint: Joint, free: FloatArray) -> FloatArray:
     """Rows (h, 6) of what the joint holds; a screw holds the travel to the pitch times the angle."""
     others = [row for row in np.eye(6) if not any(row @ other for other in free)]
     if joint.kind is JointKind.SCREW:

@@ -8,7 +8,7 @@ from math import exp, log
 
 from physsim.model import stability
 from physsim.model.findings import Findings, Path
-from physsim.model.joint_mobility import FREE, mobility
+from physsim.model.joint_mobility import FREE, greatest_mobility, mobility
 from physsim.model.joints import JointTable
 from physsim.model.modes import fastest_mode
 from physsim.model.oscillation import Oscillation
@@ -33,7 +33,7 @@ class Stepping:
 def check_stiffness(springs: SpringTable, joints: JointTable, stepping: Stepping, findings: Findings) -> None:
     """Write what is too stiff or damped too strongly for the timestep into `findings`, with the numbers."""
     checker = _Checker(stepping, findings)
-    for path, oscillation in (*_of_springs(springs), *_of_drives(joints)):
+    for path, oscillation in (*_of_springs(springs), *_of_drives(joints), *_of_damped_turning(joints)):
         if oscillation.damping_ratio is None:
             checker.damper(path, oscillation.damping_rate)
         else:
@@ -56,6 +56,13 @@ def _of_drives(joints: JointTable) -> Iterator[tuple[Path, Oscillation]]:
         if joint.kind in FREE and (drive.stiffness > 0 or drive.viscosity > 0):
             moved = mobility(joint, drive.coordinate)
             yield ("joints", joints.names[drive.joint]), Oscillation(drive.stiffness, drive.viscosity, moved)
+
+
+def _of_damped_turning(joints: JointTable) -> Iterator[tuple[Path, Oscillation]]:
+    """Damping of ball and cone joints."""
+    for name, joint in zip(joints.names, joints.rows, strict=True):
+        if joint.damping > 0:
+            yield ("joints", name), Oscillation(0.0, joint.damping, greatest_mobility(joint))
 
 
 def _fastest_alone(springs: SpringTable) -> float:

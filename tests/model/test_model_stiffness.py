@@ -201,3 +201,18 @@ def test_a_servo_too_stiff_for_the_timestep() -> None:
     (warning,) = warnings(text)
     assert dotted(warning.path) == "joints.j"
     assert "omega dt = 3 (" in warning.message
+
+
+@pytest.mark.parametrize("kind", ["ball", "cone"])
+def test_damping_of_turning_too_strong_for_the_timestep(kind: str) -> None:
+    """Nothing was said of the damping of ball and cone joints, and a chain shook itself to pieces.
+
+    A cube of 1 kg and 1 m turns hardest about its centre: c dt / I = 6 c dt = 3 is told at the joint.
+    """
+    cone = "axis: [1, 0, 0], max_angle: 1, " if kind == "cone" else ""
+    joint = f"joints: {{j: {{type: {kind}, between: [world, a], anchor: [0, 0, 0], {cone}damping: C}}}}\n"
+    text = scene("semi_implicit_euler", f"bodies: {{a: {{{BLOCK}, position: [2, 0, 0]}}}}\n{joint}")
+    (warning,) = warnings(text.replace("C}", f"{0.5 / TIMESTEP}}}"))
+    assert dotted(warning.path) == "joints.j"
+    assert "c dt / m = 3, " in warning.message
+    assert not warnings(text.replace("C}", f"{0.3 / TIMESTEP}}}"))
