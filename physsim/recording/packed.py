@@ -16,8 +16,6 @@ import numpy as np
 from isal import isal_zlib
 from numpy.typing import NDArray
 
-from physsim._engine import shuffled
-
 LEVEL = 1
 
 Numbers = NDArray[Any]
@@ -102,6 +100,8 @@ def _filled(part: Numbers, chunks: tuple[int, ...], fill: Any) -> Numbers:
 
 def packed(chunk: Numbers) -> bytes:
     """Shuffled and deflated, as HDF5's two filters do it."""
+    from physsim._engine import shuffled  # noqa: PLC0415, who only reads needs no engine
+
     numbers = np.ascontiguousarray(chunk).reshape(-1).view(np.uint8)
     stream: bytes = isal_zlib.compress(shuffled(numbers, chunk.itemsize), LEVEL)
     return stream
