@@ -23,6 +23,8 @@ pub(crate) struct Pattern {
     /// Rows below the diagonal, column by column.
     pub(crate) starts: Vec<usize>,
     pub(crate) rows: Vec<u32>,
+    /// Working memory: of each body that moves, those that touch it.
+    neighbours: Vec<Vec<u32>>,
 }
 
 /// Place of a body that does not move.
@@ -40,8 +42,10 @@ impl Pattern {
         if !(same && known) {
             self.pairs.clear();
             self.pairs.extend(points.iter().map(|p| p.bodies));
-            let mut neighbours = self.graph(movers);
+            let mut neighbours = std::mem::take(&mut self.neighbours);
+            self.graph(movers, &mut neighbours);
             self.eliminate(&mut neighbours, products);
+            self.neighbours = neighbours;
         }
         let whole = |&k: &u32| has_inertia(&movers[k as usize]);
         self.products <= products && self.order.iter().all(whole)
@@ -53,8 +57,10 @@ impl Pattern {
         moves == (self.places[body as usize] != FIXED)
     }
 
-    /// Moving bodies that touch each one, by the order in which contacts name them; `order` tells who they are.
-    fn graph(&mut self, movers: &[Mover]) -> Vec<Vec<u32>> {
+    /// Moving bodies that touch each one, by the order in which contacts name them; `order` tells who they are. Lists
+    /// behind theirs are left empty.
+    fn graph(&mut self, movers: &[Mover], neighbours: &mut Vec<Vec<u32>>) {
+        neighbours.iter_mut().for_each(Vec::clear);
         if self.places.len() == movers.len() {
             for &body in &self.order {
                 self.places[body as usize] = FIXED;
@@ -64,15 +70,16 @@ impl Pattern {
             self.places.resize(movers.len(), FIXED);
         }
         self.order.clear();
-        let mut neighbours: Vec<Vec<u32>> = Vec::new();
         let moves = |k: u32| movers[k as usize].inverse_mass != 0.0;
         for &(a, b) in &self.pairs {
             for k in [a, b] {
                 if moves(k) && self.places[k as usize] == FIXED {
                     self.places[k as usize] = index(self.order.len());
                     self.order.push(k);
-                    neighbours.push(Vec::new());
                 }
+            }
+            if neighbours.len() < self.order.len() {
+                neighbours.resize_with(self.order.len(), Vec::new);
             }
             if moves(a) && moves(b) {
                 let (a, b) = (self.places[a as usize], self.places[b as usize]);
@@ -80,23 +87,26 @@ impl Pattern {
                 neighbours[b as usize].push(a);
             }
         }
-        for list in &mut neighbours {
+        for list in neighbours {
             list.sort_unstable();
             list.dedup();
         }
-        neighbours
     }
 
     /// Bodies of least degree first (Tinney & Walker 1967); the neighbours that an eliminated body leaves behind then
-    /// touch one another. Stops where it takes more than so many products.
+    /// touch one another. Stops where it takes more than so many products: whatever the order, where every body left
+    /// touches d others, one at least is eliminated with d neighbours, and these, which then touch one another, after it.
     fn eliminate(&mut self, neighbours: &mut [Vec<u32>], products: usize) {
+        let bodies = self.order.len();
         let mut queue: BinaryHeap<Reverse<(usize, u32)>> = (0..)
-            .zip(neighbours.iter())
+            .zip(&neighbours[..bodies])
             .map(|(k, list)| Reverse((list.len(), k)))
             .collect();
-        let mut turn = vec![FIXED; neighbours.len()];
-        let mut sequence: Vec<u32> = Vec::with_capacity(neighbours.len());
-        self.products = 0;
+        let mut turn = vec![FIXED; bodies];
+        let mut sequence: Vec<u32> = Vec::with_capacity(bodies);
+        // Of each body, whose neighbour it was found to be last.
+        let mut near = vec![FIXED; bodies];
+        let mut made = 0;
         self.complete = false;
         self.starts.clear();
         self.rows.clear();
@@ -105,21 +115,27 @@ impl Pattern {
             if turn[k as usize] != FIXED || neighbours[k as usize].len() != degree {
                 continue; // an entry from before its degree changed
             }
-            self.products += degree * (degree + 3) / 2;
+            self.products = made + products_down_from(degree);
             if self.products > products {
                 return;
             }
+            made += degree * (degree + 3) / 2;
             turn[k as usize] = index(sequence.len());
             sequence.push(k);
             let clique = std::mem::take(&mut neighbours[k as usize]);
+            near[k as usize] = k;
+            clique.iter().for_each(|&i| near[i as usize] = k);
             for &i in &clique {
                 let list = &mut neighbours[i as usize];
-                *list = merged(list, &clique, (i, k));
+                list.retain(|&j| near[j as usize] != k);
+                list.extend(clique.iter().filter(|&&j| j != i));
                 queue.push(Reverse((list.len(), i)));
             }
-            self.rows.extend(clique);
+            self.rows.extend_from_slice(&clique);
             self.starts.push(self.rows.len());
+            neighbours[k as usize] = clique;
         }
+        self.products = made;
         self.number(&turn, &sequence);
         self.complete = true;
     }
@@ -145,23 +161,9 @@ impl Pattern {
     }
 }
 
-/// The union of two sorted lists without two members.
-fn merged(a: &[u32], b: &[u32], without: (u32, u32)) -> Vec<u32> {
-    let mut out = Vec::with_capacity(a.len() + b.len());
-    let (mut i, mut j) = (0, 0);
-    while i < a.len() || j < b.len() {
-        let next = match (a.get(i), b.get(j)) {
-            (Some(&x), Some(&y)) => x.min(y),
-            (Some(&x), None) | (None, Some(&x)) => x,
-            (None, None) => break,
-        };
-        i += usize::from(a.get(i) == Some(&next));
-        j += usize::from(b.get(j) == Some(&next));
-        if next != without.0 && next != without.1 {
-            out.push(next);
-        }
-    }
-    out
+/// Products of blocks that it takes to eliminate bodies of degree d, d - 1, ... and 0.
+fn products_down_from(degree: usize) -> usize {
+    degree * (degree + 1) * (degree + 5) / 6
 }
 
 /// Its inertia can be found from the inverse.
@@ -178,12 +180,6 @@ mod tests {
 
     use crate::contact::Contact;
     use crate::mover::Twist;
-
-    #[test]
-    fn lists_are_merged_without_two_members() {
-        assert_eq!(merged(&[1, 4, 7], &[2, 4, 9], (4, 9)), [1, 2, 7]);
-        assert_eq!(merged(&[], &[3], (3, 0)), [0; 0]);
-    }
 
     fn mover(inverse_mass: f64) -> Mover {
         Mover {
@@ -203,5 +199,32 @@ mod tests {
         assert_eq!(pattern.order.len(), 2);
         assert!(pattern.load(&points, &[mover(0.0), mover(2.0)], 10));
         assert_eq!(pattern.order, [1]);
+    }
+
+    fn touching(pairs: &[(u32, u32)]) -> Vec<Point> {
+        let point = |&pair| Point::of(&Contact::default(), pair, 0.0);
+        pairs.iter().map(point).collect()
+    }
+
+    #[test]
+    fn what_an_eliminated_body_leaves_behind_touches() {
+        // A ring of four: the body that goes first leaves a triangle.
+        let ring = touching(&[(0, 1), (1, 2), (2, 3), (3, 0)]);
+        let mut pattern = Pattern::default();
+        assert!(pattern.load(&ring, &[mover(1.0); 4], 100));
+        assert_eq!(pattern.starts, [0, 2, 4, 5, 5]);
+        assert_eq!(pattern.rows, [1, 3, 2, 3, 3]);
+        assert_eq!(pattern.products, 5 + 5 + 2);
+    }
+
+    #[test]
+    fn it_is_given_up_when_and_only_when_it_takes_too_much() {
+        let all = |k: u32| (0..k).map(move |other| (k, other));
+        let clique: Vec<_> = (1..6).flat_map(all).collect();
+        let products = products_down_from(5);
+        let mut pattern = Pattern::default();
+        assert!(!pattern.load(&touching(&clique), &[mover(1.0); 6], products - 1));
+        assert!(pattern.load(&touching(&clique), &[mover(1.0); 6], products));
+        assert_eq!(pattern.products, products);
     }
 }
