@@ -59,8 +59,8 @@ def _of_drives(joints: JointTable) -> Iterator[tuple[Path, Oscillation]]:
 
 
 def _of_damped_turning(joints: JointTable) -> Iterator[tuple[Path, Oscillation]]:
-    """Damping of ball and cone joints."""
-    for name, joint in zip(joints.names, joints.rows, strict=True):
+    """Damping of ball and cone joints; the rows of stops of springs, which come last, have no names."""
+    for name, joint in zip(joints.names, joints.rows, strict=False):
         if joint.damping > 0:
             yield ("joints", name), Oscillation(0.0, joint.damping, greatest_mobility(joint))
 

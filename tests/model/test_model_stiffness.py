@@ -203,6 +203,11 @@ def test_a_servo_too_stiff_for_the_timestep() -> None:
     assert "omega dt = 3 (" in warning.message
 
 
+def test_stops_of_springs_are_joints_without_names() -> None:
+    spring = "springs: {s: {type: linear, between: [world, a], limits: [1, 3]}}\n"
+    assert warnings(scene("rk4", f"bodies: {{a: {{{BLOCK}, position: [2, 0, 0]}}}}\n{spring}")) == ()
+
+
 @pytest.mark.parametrize("kind", ["ball", "cone"])
 def test_damping_of_turning_too_strong_for_the_timestep(kind: str) -> None:
     """Nothing was said of the damping of ball and cone joints, and a chain shook itself to pieces.
