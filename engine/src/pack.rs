@@ -35,10 +35,9 @@ pub(crate) struct Packs {
 }
 
 impl Packs {
-    /// No packs.
+    /// No packs. Those that there were are written over by the next.
     pub(crate) fn clear(&mut self) {
         self.layers.clear();
-        self.packs.clear();
     }
 
     /// Put the contacts of an island, with parts, into packs.

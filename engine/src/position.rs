@@ -15,6 +15,7 @@ use crate::islands::index;
 use crate::lanes::{abreast, vectorised, Four, FourVectors, Lanes, Real, Vectors, WIDTH};
 use crate::mover::{Twist, Window};
 use crate::schedule::Schedule;
+use crate::team::{each_with, fill};
 use crate::twists::{Motion, Twists};
 
 /// Overlaps and gaps up to this are left as they are: what the solver's tolerance leaves in a step. All four corners
@@ -52,21 +53,21 @@ impl Correction {
             self.schedule.put(slot, moved.map(index));
         }
         let row = |k: usize| Row::new(&contacts[k], bodies, wanted(gaps[k], beta));
-        let bunches = self.schedule.bunches.iter();
-        self.packs.clear();
-        self.packs
-            .extend(bunches.map(|bunch| Pack::of(bunch.filled().map(row), bunch.held())));
+        let bunches = &self.schedule.bunches;
+        fill(&mut self.packs, (bunches.len(), Pack::default()), &|k| {
+            Pack::of(bunches[k].filled().map(row), bunches[k].held())
+        });
         self.shifts.clear();
         self.shifts.resize(bodies.len(), Motion::default());
         self.moved_in.clear();
         self.moved_in.resize(bodies.len(), 0);
         vectorised(Sweeps(self));
-        for (body, shift) in bodies.iter_mut().zip(&self.shifts) {
+        each_with(bodies, &self.shifts, &|body, shift| {
             let shift = shift.twist();
             if shift != Twist::default() {
                 body.displace(shift.velocity, shift.angular_velocity);
             }
-        }
+        });
     }
 }
 
@@ -141,7 +142,7 @@ impl Row {
 }
 
 /// Four contacts, no two of which have a moving body in common.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 #[repr(align(64))]
 struct Pack {
     bodies: [[u32; WIDTH]; 2],
