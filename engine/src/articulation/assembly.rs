@@ -82,6 +82,11 @@ impl Assembly {
         }
     }
 
+    /// Some rows follow from others.
+    pub(crate) fn is_redundant(&self) -> bool {
+        self.factored && !self.regular
+    }
+
     /// `solution` is zero.
     pub(crate) fn asks_nothing(&self) -> bool {
         greatest(&self.solution) == 0.0

@@ -184,6 +184,12 @@ impl Articulation {
         }
     }
 
+    /// Some rows follow from others, as they were factored last.
+    #[must_use]
+    pub fn is_redundant(&self) -> bool {
+        self.assemblies.iter().any(Assembly::is_redundant)
+    }
+
     /// No joints at all.
     #[must_use]
     pub fn is_empty(&self) -> bool {

@@ -95,8 +95,14 @@ impl Scheme {
             sum: Rates::default(),
         }));
         let wanted = held_values(bodies, d);
+        let mut closing = false;
         for (&node, &weight) in self.nodes.iter().zip(self.weights) {
+            follow(bodies, &mut stages, node * h);
+            if closing {
+                close(bodies, d, &mut stages, (node, &wanted));
+            }
             let powers = stage(bodies, d, &mut stages, node);
+            closing = !d.baumgarte && d.articulation.is_redundant();
             d.book(powers, weight * h);
             d.note_reactions(weight * h);
             for s in &mut stages {
@@ -145,18 +151,35 @@ fn kinetic(bodies: &[Body]) -> f64 {
         .sum()
 }
 
-/// Rates at a node of the step, from the rates of the stage before.
-fn stage(bodies: &mut [Body], d: &mut Dynamics, stages: &mut [Stage], node: f64) -> Powers {
-    let h = d.span.1;
-    for (body, s) in bodies
-        .iter_mut()
-        .zip(stages.iter_mut())
-        .filter(|(b, _)| !b.is_fixed())
-    {
-        body.state = advanced(&s.start, &s.rates, node * h);
+/// Bodies to where the rates of the stage before lead them in a time.
+fn follow(bodies: &mut [Body], stages: &mut [Stage], time: f64) {
+    let moving = bodies.iter_mut().zip(stages);
+    for (body, s) in moving.filter(|(b, _)| !b.is_fixed()) {
+        body.state = advanced(&s.start, &s.rates, time);
         s.orientation = body.state.orientation;
         body.refresh();
     }
+}
+
+/// Bodies of a stage onto their joints. Away from there rows that are redundant on them contradict each other, and would
+/// hold a mechanism that can move. Rates that are those of the nearest closed pose are as smooth, and on the joints the same:
+/// the scheme keeps its order.
+fn close(
+    bodies: &mut [Body],
+    d: &mut Dynamics,
+    stages: &mut [Stage],
+    (node, wanted): (f64, &[f64]),
+) {
+    d.place_prescribed(bodies, node);
+    d.articulation.restore(d.joints, bodies, wanted, d.scratch);
+    d.project_velocities(bodies);
+    for (body, s) in bodies.iter().zip(stages) {
+        s.orientation = body.state.orientation;
+    }
+}
+
+/// Rates at a node of the step.
+fn stage(bodies: &mut [Body], d: &mut Dynamics, stages: &mut [Stage], node: f64) -> Powers {
     let powers = d.evaluate(bodies, node);
     d.add_joint_forces(bodies, node);
     for (k, s) in stages
