@@ -295,18 +295,22 @@ impl Solver {
             (index(a), index(b))
         });
         let movers = &self.movers;
-        let as_before = self.pairs == self.pairs_before && self.fixed.len() == movers.len();
-        if !(as_before && articulation.is_empty() && self.layout.is_uncut()) {
+        let as_before = self.pairs == self.pairs_before
+            && self.fixed.len() == movers.len()
+            && articulation.is_empty();
+        if !as_before {
             fill(&mut self.fixed, (movers.len(), false), &|k| {
                 movers[k].inverse_mass == 0.0
             });
+            self.islands.divide(&self.pairs, &self.fixed, articulation);
+        }
+        if !(as_before && self.layout.is_uncut()) {
             let plan = Plan {
                 pairs: &self.pairs,
                 centres: &self.centres,
                 down: self.down,
                 fixed: &self.fixed,
             };
-            self.islands.divide(plan.pairs, plan.fixed, articulation);
             self.layout.arrange(&self.islands, plan);
         }
         let bodies = &self.layout.bodies;
