@@ -2,10 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use glam::{DMat3, DVec3};
-
-use super::ldu::Ldu;
+use super::ldu::{Ldu, Matrix};
 use super::levers::Levers;
+use super::square::{Column, Square};
 use super::Hold;
 use crate::body::Body;
 use crate::joint::Course;
@@ -39,19 +38,19 @@ pub(crate) struct Assembly {
     /// It has no redundant rows, and nothing was added to its diagonal.
     regular: bool,
     /// Of each block, 1 for its free rows; and whether all rows are.
-    masks: Vec<DVec3>,
+    masks: Vec<Column>,
     whole: bool,
     /// Working memory, one number a row.
-    pub(crate) solution: Vec<DVec3>,
-    rest: Vec<DVec3>,
-    step: Vec<DVec3>,
+    pub(crate) solution: Vec<Column>,
+    rest: Vec<Column>,
+    step: Vec<Column>,
 }
 
 impl Assembly {
     /// `solution` := what is asked of each free row; 0 of the others.
     pub(crate) fn ask(&mut self, holds: &[Hold], asked: impl Fn(usize) -> f64) {
         for (x, rows) in self.solution.iter_mut().zip(&self.blocks) {
-            *x = DVec3::from_array(rows.map(|row| if_free(holds, row, || asked(row))));
+            *x = Column::new(rows.map(|row| if_free(holds, row, || asked(row))));
         }
     }
 
@@ -66,7 +65,7 @@ impl Assembly {
             let rates = self.levers.rate(block, moving);
             let mask = rows.map(|row| if_free(holds, row, || 1.0));
             let targets = rows.map(|row| if_free(holds, row, || target(row)));
-            *x = DVec3::from_array(targets) - DVec3::from_array(mask) * rates;
+            *x = Column::new(targets) - Column::new(mask) * rates;
         }
     }
 
@@ -124,11 +123,14 @@ impl Assembly {
         if self.factored {
             return;
         }
-        let (levers, masks, whole) = (&self.levers, &self.masks, self.whole);
-        let entry = |i, k| [masked(levers.entry(i, k), (masks, whole), (i, k)); 2];
-        self.regular = self.ldu.factor(0.0, entry);
+        let matrix = Free {
+            entries: self.levers.matrix(),
+            masks: &self.masks,
+            whole: self.whole,
+        };
+        self.regular = self.ldu.factor(0.0, &matrix);
         if !self.regular {
-            self.ldu.factor(EPSILON, entry);
+            self.ldu.factor(EPSILON, &matrix);
         }
         self.factored = true;
     }
@@ -136,21 +138,21 @@ impl Assembly {
     /// Factor the matrix of the rows ahead.
     pub(crate) fn factor_ahead(&mut self, holds: &[Hold]) {
         self.mark_free(holds);
-        let (levers, masks, whole) = (&self.levers, &self.masks, self.whole);
-        self.ldu_ahead.factor(EPSILON, |i, k| {
-            levers
-                .entries_ahead(i, k)
-                .map(|entry| masked(entry, (masks, whole), (i, k)))
-        });
+        let matrix = Free {
+            entries: self.levers.matrix_ahead(),
+            masks: &self.masks,
+            whole: self.whole,
+        };
+        self.ldu_ahead.factor(EPSILON, &matrix);
     }
 
     /// 1 for each free row, 0 for the others.
     fn mark_free(&mut self, holds: &[Hold]) {
         self.whole = true;
         for (mask, rows) in self.masks.iter_mut().zip(&self.blocks) {
-            let free = DVec3::from_array(rows.map(|row| if_free(holds, row, || 1.0)));
+            let free = Column::new(rows.map(|row| if_free(holds, row, || 1.0)));
             self.factored &= *mask == free;
-            self.whole &= free == DVec3::ONE;
+            self.whole &= rows.iter().all(|&row| holds.get(row) == Some(&Hold::Free));
             *mask = free;
         }
     }
@@ -172,14 +174,14 @@ impl Assembly {
             return;
         }
         self.rest.copy_from_slice(&self.solution);
-        self.solution.fill(DVec3::ZERO);
+        self.solution.fill(Column::ZERO);
         let asked = greatest(&self.rest);
         let (mut size, mut gain) = (asked, 1.0);
         for _ in 0..=REFINEMENTS {
             self.step.copy_from_slice(&self.rest);
             self.ldu.solve(&mut self.step);
             for (x, step) in self.solution.iter_mut().zip(&self.step) {
-                *x += step;
+                *x += *step;
             }
             // Each refinement gains about as much as the one before.
             if size * gain <= REFINED * asked {
@@ -195,15 +197,39 @@ impl Assembly {
     }
 }
 
-/// A block without rows and columns that are not free; these get a 1 on the diagonal.
-fn masked(mut entry: DMat3, (masks, whole): (&[DVec3], bool), (i, k): (usize, usize)) -> DMat3 {
-    if !whole {
-        entry = DMat3::from_diagonal(masks[i]) * entry * DMat3::from_diagonal(masks[k]);
-        if i == k {
-            entry += DMat3::from_diagonal(DVec3::ONE - masks[k]);
+/// A matrix without rows and columns that are not free; these get a 1 on the diagonal.
+struct Free<'a, M> {
+    entries: M,
+    masks: &'a [Column],
+    whole: bool,
+}
+
+impl<M> Free<'_, M> {
+    #[inline(always)]
+    fn masked(&self, entry: Square, i: usize, k: usize) -> Square {
+        if self.whole {
+            return entry;
         }
+        let column = |c: usize| entry.0[c] * self.masks[i] * self.masks[k][c];
+        Square([column(0), column(1), column(2)])
     }
-    entry
+}
+
+impl<M: Matrix> Matrix for Free<'_, M> {
+    #[inline(always)]
+    fn entries(&self, i: usize, k: usize) -> [Square; 2] {
+        let [above, below] = self.entries.entries(i, k);
+        [self.masked(above, i, k), self.masked(below, k, i)]
+    }
+
+    #[inline(always)]
+    fn diagonal(&self, k: usize) -> Square {
+        let mut entry = self.masked(self.entries.diagonal(k), k, k);
+        if !self.whole {
+            (0..3).for_each(|row| entry.0[row][row] += 1.0 - self.masks[k][row]);
+        }
+        entry
+    }
 }
 
 /// `value` of a free row, 0 of the others.
@@ -215,10 +241,8 @@ fn if_free(holds: &[Hold], row: usize, value: impl FnOnce() -> f64) -> f64 {
     }
 }
 
-fn greatest(values: &[DVec3]) -> f64 {
-    values
-        .iter()
-        .fold(0.0, |worst, v| v.abs().max_element().max(worst))
+fn greatest(values: &[Column]) -> f64 {
+    values.iter().fold(0.0, |worst, v| v.greatest().max(worst))
 }
 
 /// What the division needs to know of a joint.
@@ -303,7 +327,7 @@ fn assemble(joints: &[Member], neighbours: &[BTreeSet<usize>], members: Vec<usiz
             rows.push(block);
         }
     }
-    let blank = vec![DVec3::ZERO; columns.len()];
+    let blank = vec![Column::ZERO; columns.len()];
     Assembly {
         ldu: Ldu::new(&columns),
         ldu_ahead: Ldu::new(&columns),

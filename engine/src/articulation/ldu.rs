@@ -12,10 +12,21 @@
 //! Joints of a chain have neighbours only, so a chain costs as much as its length. Nothing is pivoted: A is J M^-1 J^T, or
 //! near to it.
 
-use glam::{DMat3, DVec3};
+use pulp::{Simd, WithSimd};
+
+use super::square::{Column, Square};
+use crate::lanes::vectorised;
 
 /// A pivot that is this part of the diagonal, or less, belongs to a redundant row.
 const REDUNDANT: f64 = 1e-9;
+
+/// What is factored.
+pub(crate) trait Matrix {
+    /// A_ik and A_ki of the pattern, i < k.
+    fn entries(&self, i: usize, k: usize) -> [Square; 2];
+    /// A_kk
+    fn diagonal(&self, k: usize) -> Square;
+}
 
 /// A block of the factors that row k of L and column k of U share.
 #[derive(Clone, Copy, Debug)]
@@ -38,15 +49,15 @@ pub(crate) struct Ldu {
     columns: Vec<usize>,
     pattern: Vec<usize>,
     /// A_ik of the pattern, column by column, and the A_kk.
-    matrix: Vec<DMat3>,
-    diagonal: Vec<DMat3>,
-    lower: Vec<DMat3>,
-    upper: Vec<DMat3>,
+    matrix: Vec<Square>,
+    diagonal: Vec<Square>,
+    lower: Vec<Square>,
+    upper: Vec<Square>,
     pivots: Vec<Pivot>,
     /// D^-1
-    inverses: Vec<DMat3>,
-    above: Vec<DMat3>,
-    left: Vec<DMat3>,
+    inverses: Vec<Square>,
+    above: Vec<Square>,
+    left: Vec<Square>,
 }
 
 impl Ldu {
@@ -71,40 +82,38 @@ impl Ldu {
             links: reaches.iter().flatten().map(&mut link).collect(),
             reaches: offsets(&reaches),
             columns: offsets(columns),
-            matrix: vec![DMat3::ZERO; columns.iter().map(Vec::len).sum()],
-            diagonal: vec![DMat3::ZERO; n],
+            matrix: vec![Square::ZERO; columns.iter().map(Vec::len).sum()],
+            diagonal: vec![Square::ZERO; n],
             pattern: columns.concat(),
-            lower: vec![DMat3::ZERO; starts[n]],
-            upper: vec![DMat3::ZERO; starts[n]],
+            lower: vec![Square::ZERO; starts[n]],
+            upper: vec![Square::ZERO; starts[n]],
             pivots: vec![Pivot::default(); n],
-            inverses: vec![DMat3::ZERO; n],
-            above: vec![DMat3::ZERO; n],
-            left: vec![DMat3::ZERO; n],
+            inverses: vec![Square::ZERO; n],
+            above: vec![Square::ZERO; n],
+            left: vec![Square::ZERO; n],
             rows: below.concat(),
             starts,
         }
     }
 
-    /// Factor, with a share `more` added to the diagonal. `entries(i, k)` gives A_ik and the transpose of A_ki, for the
-    /// entries of the pattern and the diagonal, i <= k. Returns whether every pivot is more
+    /// Factor, with a share `more` added to the diagonal. Returns whether every pivot is more
     /// than the part `REDUNDANT` of the diagonal.
-    pub(crate) fn factor(
-        &mut self,
-        more: f64,
-        mut entries: impl FnMut(usize, usize) -> [DMat3; 2],
-    ) -> bool {
+    pub(crate) fn factor(&mut self, more: f64, matrix: &impl Matrix) -> bool {
+        vectorised(Factor(self, more, matrix))
+    }
+
+    #[inline(always)]
+    fn find_factors(&mut self, more: f64, matrix: &impl Matrix) -> bool {
         let mut regular = true;
         for k in 0..self.inverses.len() {
             for p in self.columns[k]..self.columns[k + 1] {
                 let i = self.pattern[p];
-                [self.above[i], self.left[i]] = entries(i, k);
+                [self.above[i], self.left[i]] = matrix.entries(i, k);
                 self.matrix[p] = self.above[i];
             }
-            let mut pivot = entries(k, k)[0];
+            let mut pivot = matrix.diagonal(k);
             self.diagonal[k] = pivot;
-            pivot.x_axis.x *= 1.0 + more;
-            pivot.y_axis.y *= 1.0 + more;
-            pivot.z_axis.z *= 1.0 + more;
+            (0..3).for_each(|row| pivot.0[row][row] *= 1.0 + more);
             for link in self.reaches[k]..self.reaches[k + 1] {
                 pivot -= self.eliminate(self.links[link]);
             }
@@ -116,36 +125,42 @@ impl Ldu {
     }
 
     /// rest -= A x of a symmetric A, without what was added to its diagonal.
-    pub(crate) fn subtract_product(&self, x: &[DVec3], rest: &mut [DVec3]) {
+    pub(crate) fn subtract_product(&self, x: &[Column], rest: &mut [Column]) {
         for k in 0..x.len() {
             let mut product = self.diagonal[k] * x[k];
             for p in self.columns[k]..self.columns[k + 1] {
                 let i = self.pattern[p];
                 rest[i] -= self.matrix[p] * x[k];
-                product += self.matrix[p].transpose() * x[i];
+                product += self.matrix[p].transposed() * x[i];
             }
             rest[k] -= product;
         }
     }
 
     /// The block of L and that of U at a link, and what they take from the pivot.
-    fn eliminate(&mut self, link: Link) -> DMat3 {
+    #[inline(always)]
+    fn eliminate(&mut self, link: Link) -> Square {
         let i = link.column;
-        let y = std::mem::replace(&mut self.above[i], DMat3::ZERO);
-        let z = std::mem::replace(&mut self.left[i], DMat3::ZERO);
+        let y = std::mem::replace(&mut self.above[i], Square::ZERO);
+        let z = std::mem::replace(&mut self.left[i], Square::ZERO);
         for p in self.starts[i]..link.place {
             let row = self.rows[p];
             self.above[row] -= self.lower[p] * y;
-            self.left[row] -= self.upper[p].transpose() * z;
+            self.left[row] -= z * self.upper[p];
         }
         let upper = self.inverses[i] * y;
-        self.lower[link.place] = (self.inverses[i].transpose() * z).transpose();
+        self.lower[link.place] = z * self.inverses[i];
         self.upper[link.place] = upper;
-        z.transpose() * upper
+        z * upper
     }
 
     /// x := A^-1 x.
-    pub(crate) fn solve(&self, x: &mut [DVec3]) {
+    pub(crate) fn solve(&self, x: &mut [Column]) {
+        vectorised(Solve(self, x));
+    }
+
+    #[inline(always)]
+    fn substitute(&self, x: &mut [Column]) {
         for k in 0..x.len() {
             let y = x[k];
             for p in self.starts[k]..self.starts[k + 1] {
@@ -159,6 +174,28 @@ impl Ldu {
             }
             x[k] = y;
         }
+    }
+}
+
+struct Factor<'a, M>(&'a mut Ldu, f64, &'a M);
+
+impl<M: Matrix> WithSimd for Factor<'_, M> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> bool {
+        self.0.find_factors(self.1, self.2)
+    }
+}
+
+struct Solve<'a>(&'a Ldu, &'a mut [Column]);
+
+impl WithSimd for Solve<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.0.substitute(self.1);
     }
 }
 
@@ -202,54 +239,57 @@ fn reaches(columns: &[Vec<usize>]) -> Vec<Vec<usize>> {
 #[derive(Clone, Copy, Debug, Default)]
 struct Pivot {
     /// Below the diagonal: (1, 0), (2, 0), (2, 1).
-    lower: DVec3,
+    lower: [f64; 3],
     /// Inverse of the diagonal.
-    inverse: DVec3,
+    inverse: [f64; 3],
     /// Above it, divided by the diagonal: (0, 1), (0, 2), (1, 2).
-    upper: DVec3,
+    upper: [f64; 3],
 }
 
 impl Pivot {
-    fn new(m: &DMat3) -> Self {
-        let (a, b, c) = (m.x_axis, m.y_axis, m.z_axis);
-        let first = 1.0 / a.x;
-        let (l1, l2) = (a.y * first, a.z * first);
-        let (second, beside) = (1.0 / (b.y - l1 * b.x), c.y - l1 * c.x);
-        let l3 = (b.z - l2 * b.x) * second;
-        let third = c.z - l2 * c.x - l3 * beside;
+    #[inline(always)]
+    fn new(m: &Square) -> Self {
+        let [a, b, c] = m.0;
+        let first = 1.0 / a[0];
+        let (l1, l2) = (a[1] * first, a[2] * first);
+        let (second, beside) = (1.0 / (b[1] - l1 * b[0]), c[1] - l1 * c[0]);
+        let l3 = (b[2] - l2 * b[0]) * second;
+        let third = c[2] - l2 * c[0] - l3 * beside;
         Self {
-            lower: DVec3::new(l1, l2, l3),
-            inverse: DVec3::new(first, second, 1.0 / third),
-            upper: DVec3::new(b.x * first, c.x * first, beside * second),
+            lower: [l1, l2, l3],
+            inverse: [first, second, 1.0 / third],
+            upper: [b[0] * first, c[0] * first, beside * second],
         }
     }
 
     /// Its diagonal is more than the part `REDUNDANT` of that of `m`.
-    fn is_regular(&self, m: &DMat3) -> bool {
-        let whole = DVec3::new(m.x_axis.x, m.y_axis.y, m.z_axis.z);
-        let most = DVec3::splat(1.0 / REDUNDANT);
-        (whole * self.inverse).abs().cmplt(most).all()
+    #[inline(always)]
+    fn is_regular(&self, m: &Square) -> bool {
+        let whole = Column::new(m.diagonal()) * Column::new(self.inverse);
+        let small = |part: f64| part.abs() < 1.0 / REDUNDANT;
+        small(whole[0]) & small(whole[1]) & small(whole[2])
     }
 
-    fn solve(&self, x: DVec3) -> DVec3 {
-        let (l, u) = (self.lower, self.upper);
-        let y = x.y - l.x * x.x;
-        let down = DVec3::new(x.x, y, x.z - l.y * x.x - l.z * y) * self.inverse;
-        let y = down.y - u.z * down.z;
-        DVec3::new(down.x - u.x * y - u.y * down.z, y, down.z)
+    #[inline(always)]
+    fn solve(&self, x: Column) -> Column {
+        let (l, d, u, [x, y, z]) = (self.lower, self.inverse, self.upper, x.to_array());
+        let y = y - l[0] * x;
+        let z = (z - l[1] * x - l[2] * y) * d[2];
+        let y = y * d[1] - u[2] * z;
+        Column::new([x * d[0] - u[0] * y - u[1] * z, y, z])
     }
 
-    fn inverse(&self) -> DMat3 {
-        DMat3::from_cols(
-            self.solve(DVec3::X),
-            self.solve(DVec3::Y),
-            self.solve(DVec3::Z),
-        )
+    #[inline(always)]
+    fn inverse(&self) -> Square {
+        let [x, y, z] = Column::AXES;
+        Square([self.solve(x), self.solve(y), self.solve(z)])
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::{DMat3, DVec3};
+
     use super::*;
 
     /// An arrow and a band together: fills in. Not symmetric.
@@ -268,6 +308,22 @@ mod tests {
         }
     }
 
+    struct Sample;
+
+    impl Matrix for Sample {
+        fn entries(&self, i: usize, k: usize) -> [Square; 2] {
+            [square(block(i, k)), square(block(k, i))]
+        }
+
+        fn diagonal(&self, k: usize) -> Square {
+            square(block(k, k))
+        }
+    }
+
+    fn square(m: DMat3) -> Square {
+        Square([m.x_axis, m.y_axis, m.z_axis].map(|column| Column::new(column.to_array())))
+    }
+
     #[test]
     fn solves_what_it_factored() {
         let n = 9;
@@ -276,16 +332,16 @@ mod tests {
             .collect();
         let mut ldu = Ldu::new(&columns);
         for _twice in 0..2 {
-            ldu.factor(0.0, |i, k| [block(i, k), block(k, i).transpose()]);
+            ldu.factor(0.0, &Sample);
             let wanted: Vec<DVec3> = (0..n)
                 .map(|i| DVec3::new(i as f64 - 3.0, 0.7, 1.0 - 0.1 * i as f64))
                 .collect();
-            let mut x: Vec<DVec3> = (0..n)
-                .map(|i| (0..n).map(|k| block(i, k) * wanted[k]).sum())
-                .collect();
+            let product = |i: usize| (0..n).map(|k| block(i, k) * wanted[k]).sum::<DVec3>();
+            let mut x: Vec<Column> = (0..n).map(|i| Column::new(product(i).to_array())).collect();
             ldu.solve(&mut x);
             for (got, want) in x.iter().zip(&wanted) {
-                assert!((*got - *want).length() < 1e-13, "{got} {want}");
+                let off = (DVec3::from_array(got.to_array()) - *want).length();
+                assert!(off < 1e-13, "{got:?} {want}");
             }
         }
     }
@@ -295,7 +351,9 @@ mod tests {
         let tiny = 1e-10;
         let m =
             DMat3::from_cols_array(&[1.0, 1.0, 1.0, 1.0, 1.0 + tiny, 1.0, 1.0, 1.0, 1.0 + tiny]);
-        let one = m * Pivot::new(&m).inverse();
+        let inverse = Pivot::new(&square(m)).inverse();
+        let columns = inverse.0.map(|column| DVec3::from_array(column.to_array()));
+        let one = m * DMat3::from_cols(columns[0], columns[1], columns[2]);
         assert!(
             (one - DMat3::IDENTITY).abs_diff_eq(DMat3::ZERO, 1e-5),
             "{one}"

@@ -2,38 +2,73 @@
 
 use glam::{DMat3, DVec3};
 
+use super::ldu::Matrix;
+use super::square::{Column, Square};
 use crate::body::Body;
 use crate::joint::{End, Row};
 use crate::mover::{Moving, Twist, Yielding};
 
-/// A column for each row of a block: its part of J^T, or of M^-1 J^T, that belongs to one body.
+/// What the rows of a block, abreast, make of the velocity of one body, coordinate by coordinate: J, or J M^-1.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lever {
-    pub(crate) linear: DMat3,
-    pub(crate) angular: DMat3,
+struct Lever {
+    linear: [Column; 3],
+    angular: [Column; 3],
 }
 
 impl Lever {
     const ZERO: Self = Self {
-        linear: DMat3::ZERO,
-        angular: DMat3::ZERO,
+        linear: [Column::ZERO; 3],
+        angular: [Column::ZERO; 3],
     };
 
-    /// J M^-1 J^T of two of them.
-    fn times(&self, other: &Self) -> DMat3 {
-        let dots = |linear: DVec3, angular: DVec3| {
-            DVec3::new(
-                self.linear.x_axis.dot(linear) + self.angular.x_axis.dot(angular),
-                self.linear.y_axis.dot(linear) + self.angular.y_axis.dot(angular),
-                self.linear.z_axis.dot(linear) + self.angular.z_axis.dot(angular),
-            )
-        };
-        DMat3::from_cols(
-            dots(other.linear.x_axis, other.angular.x_axis),
-            dots(other.linear.y_axis, other.angular.y_axis),
-            dots(other.linear.z_axis, other.angular.z_axis),
-        )
+    /// J M^-1, where M^-1 is this much for the velocity and this for the angular velocity.
+    #[inline(always)]
+    fn weighted(&self, linear: f64, angular: &DMat3) -> Self {
+        let [x, y, z] = self.linear;
+        let turned = |row| combined(&self.angular, row);
+        Self {
+            linear: [x * linear, y * linear, z * linear],
+            // M^-1 is symmetric, or its transpose is given.
+            angular: [
+                turned(angular.x_axis),
+                turned(angular.y_axis),
+                turned(angular.z_axis),
+            ],
+        }
     }
+
+    /// J J'^T of two of them.
+    #[inline(always)]
+    fn times(&self, other: &Self) -> Square {
+        let row = |k: usize| {
+            let ([a, b, c], [d, e, f]) = (other.linear, other.angular);
+            combined(&self.linear, DVec3::new(a[k], b[k], c[k]))
+                + combined(&self.angular, DVec3::new(d[k], e[k], f[k]))
+        };
+        Square([row(0), row(1), row(2)])
+    }
+
+    /// J^T x
+    #[inline(always)]
+    fn pull(&self, x: Column) -> Twist {
+        let x = DVec3::from_array(x.to_array());
+        Twist {
+            velocity: dots(&self.linear, x),
+            angular_velocity: dots(&self.angular, x),
+        }
+    }
+}
+
+/// The sum of columns, each times its coordinate.
+#[inline(always)]
+fn combined(columns: &[Column; 3], v: DVec3) -> Column {
+    columns[0] * v.x + columns[1] * v.y + columns[2] * v.z
+}
+
+/// Columns times x.
+#[inline(always)]
+fn dots(columns: &[Column; 3], x: DVec3) -> DVec3 {
+    DVec3::new(columns[0].dot(x), columns[1].dot(x), columns[2].dot(x))
 }
 
 /// Place of a row: its block, and its column there.
@@ -44,11 +79,11 @@ pub(crate) type Place = (usize, usize);
 pub(crate) struct Levers {
     starts: Vec<usize>,
     bodies: Vec<usize>,
-    /// J^T
+    /// J
     plain: Vec<Lever>,
-    /// M^-1 J^T
+    /// J M^-1
     weighted: Vec<Lever>,
-    /// J^T where a step leads to.
+    /// J where a step leads to.
     ahead: Vec<Lever>,
     /// How the end of that step answers to impulses at its start.
     answers: Vec<Lever>,
@@ -85,22 +120,17 @@ impl Levers {
     pub(crate) fn weigh(&mut self, bodies: &[Body]) {
         for (k, &body) in self.bodies.iter().enumerate() {
             let body = &bodies[body];
-            self.weighted[k] = Lever {
-                linear: self.plain[k].linear * body.mass.inverse_mass,
-                angular: body.inverse_inertia * self.plain[k].angular,
-            };
+            self.weighted[k] =
+                self.plain[k].weighted(body.mass.inverse_mass, &body.inverse_inertia);
         }
     }
 
     /// How the end of a step answers to impulses at its start: of each body how far an impulse brings it, and how an
-    /// angular one turns it.
+    /// angular one turns it, transposed.
     pub(crate) fn answer(&mut self, answers: &[(f64, DMat3)]) {
         for (k, &body) in self.bodies.iter().enumerate() {
-            let (shift, turn) = answers[body];
-            self.answers[k] = Lever {
-                linear: self.plain[k].linear * shift,
-                angular: turn * self.plain[k].angular,
-            };
+            let (shift, turn) = &answers[body];
+            self.answers[k] = self.plain[k].weighted(*shift, turn);
         }
     }
 
@@ -108,45 +138,39 @@ impl Levers {
     pub(crate) fn ends(&self, (block, column): Place) -> impl Iterator<Item = End> + '_ {
         (self.starts[block]..self.starts[block + 1]).map(move |k| End {
             body: self.bodies[k],
-            linear: self.plain[k].linear.col(column),
-            angular: self.plain[k].angular.col(column),
+            linear: self.plain[k].linear.map(|c| c[column]).into(),
+            angular: self.plain[k].angular.map(|c| c[column]).into(),
         })
     }
 
     /// J V of a block's rows.
-    pub(crate) fn rate(&self, block: usize, moving: &[impl Moving]) -> DVec3 {
-        let mut rate = DVec3::ZERO;
+    #[inline(always)]
+    pub(crate) fn rate(&self, block: usize, moving: &[impl Moving]) -> Column {
+        let mut rate = Column::ZERO;
         for k in self.starts[block]..self.starts[block + 1] {
             let (lever, twist) = (&self.plain[k], moving[self.bodies[k]].twist());
-            rate += lever.linear.transpose() * twist.velocity;
-            rate += lever.angular.transpose() * twist.angular_velocity;
+            rate += combined(&lever.linear, twist.velocity)
+                + combined(&lever.angular, twist.angular_velocity);
         }
         rate
     }
 
-    /// Block (i, k) of J M^-1 J^T.
-    pub(crate) fn entry(&self, i: usize, k: usize) -> DMat3 {
-        self.product(&self.plain, &self.weighted, (i, k))
+    /// J M^-1 J^T
+    pub(crate) fn matrix(&self) -> impl Matrix + '_ {
+        Response(self)
     }
 
-    /// Of the derivative of the rows' values at the end of the step by impulses at its start: block (i, k), and block
-    /// (k, i) transposed. On the diagonal the first alone counts.
-    pub(crate) fn entries_ahead(&self, i: usize, k: usize) -> [DMat3; 2] {
-        let entry = self.product(&self.ahead, &self.answers, (i, k));
-        if i == k {
-            return [entry; 2];
-        }
-        [entry, self.product(&self.answers, &self.ahead, (i, k))]
+    /// The derivative of the rows' values at the end of the step by impulses at its start.
+    pub(crate) fn matrix_ahead(&self) -> impl Matrix + '_ {
+        ResponseAhead(self)
     }
 
-    fn product(&self, a: &[Lever], b: &[Lever], (i, k): (usize, usize)) -> DMat3 {
-        let (i, k) = (
-            self.starts[i]..self.starts[i + 1],
-            self.starts[k]..self.starts[k + 1],
-        );
-        let mut sum = DMat3::ZERO;
-        for (one, body) in a[i.clone()].iter().zip(&self.bodies[i]) {
-            for (other, touched) in b[k.clone()].iter().zip(&self.bodies[k.clone()]) {
+    #[inline(always)]
+    fn product(&self, a: &[Lever], b: &[Lever], (i, k): (usize, usize)) -> Square {
+        let of = |block: usize| self.starts[block]..self.starts[block + 1];
+        let mut sum = Square::ZERO;
+        for (one, body) in a[of(i)].iter().zip(&self.bodies[of(i)]) {
+            for (other, touched) in b[of(k)].iter().zip(&self.bodies[of(k)]) {
                 if body == touched {
                     sum += one.times(other);
                 }
@@ -156,22 +180,49 @@ impl Levers {
     }
 
     /// Impulses `x` of a block's rows act: M^-1 J^T x.
-    pub(crate) fn push(&self, block: usize, x: DVec3, moving: &mut [impl Yielding]) {
+    pub(crate) fn push(&self, block: usize, x: Column, moving: &mut [impl Yielding]) {
         for k in self.starts[block]..self.starts[block + 1] {
-            let change = Twist {
-                velocity: self.weighted[k].linear * x,
-                angular_velocity: self.weighted[k].angular * x,
-            };
+            let change = self.weighted[k].pull(x);
             moving[self.bodies[k]].twist_mut().add_scaled(&change, 1.0);
         }
     }
 
     /// The same of bodies, whose momenta change: J^T x.
-    pub(crate) fn kick(&self, block: usize, x: DVec3, bodies: &mut [Body]) {
+    pub(crate) fn kick(&self, block: usize, x: Column, bodies: &mut [Body]) {
         for k in self.starts[block]..self.starts[block + 1] {
-            let plain = &self.plain[k];
-            bodies[self.bodies[k]].apply_wrench(plain.linear * x, plain.angular * x);
+            let impulse = self.plain[k].pull(x);
+            bodies[self.bodies[k]].apply_wrench(impulse.velocity, impulse.angular_velocity);
         }
+    }
+}
+
+struct Response<'a>(&'a Levers);
+
+impl Matrix for Response<'_> {
+    #[inline(always)]
+    fn entries(&self, i: usize, k: usize) -> [Square; 2] {
+        let entry = self.0.product(&self.0.plain, &self.0.weighted, (i, k));
+        [entry, entry.transposed()]
+    }
+
+    #[inline(always)]
+    fn diagonal(&self, k: usize) -> Square {
+        self.0.product(&self.0.plain, &self.0.weighted, (k, k))
+    }
+}
+
+struct ResponseAhead<'a>(&'a Levers);
+
+impl Matrix for ResponseAhead<'_> {
+    #[inline(always)]
+    fn entries(&self, i: usize, k: usize) -> [Square; 2] {
+        let product = |at| self.0.product(&self.0.ahead, &self.0.answers, at);
+        [product((i, k)), product((k, i))]
+    }
+
+    #[inline(always)]
+    fn diagonal(&self, k: usize) -> Square {
+        self.0.product(&self.0.ahead, &self.0.answers, (k, k))
     }
 }
 
@@ -189,7 +240,45 @@ fn place(
                 angular += end.angular;
             }
         }
-        *levers[k].linear.col_mut(column) = linear;
-        *levers[k].angular.col_mut(column) = angular;
+        for axis in 0..3 {
+            levers[k].linear[axis][column] = linear[axis];
+            levers[k].angular[axis][column] = angular[axis];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gear's row is the sum of two, which may share a body.
+    #[test]
+    fn a_sum_of_rows_pulls_at_a_shared_body_once() {
+        let end = |body: usize, size: f64| End {
+            body,
+            linear: DVec3::X * size,
+            angular: DVec3::new(0.5, size, -1.0),
+        };
+        let rows = [[end(0, 1.0), end(1, -2.0)], [end(1, 3.0), end(2, 0.7)]];
+        let rows = rows.map(|ends| Row {
+            ends,
+            ..Row::default()
+        });
+        let mut levers = Levers::new(&[vec![0, 1, 2]]);
+        levers.place((0, 1), &rows);
+        let moving = [0.3, -1.1, 2.0].map(|size| Twist {
+            velocity: DVec3::new(size, 1.0, 0.2),
+            angular_velocity: DVec3::new(-size, 0.4, size),
+        });
+        let rate = levers.rate(0, &moving).to_array();
+        let sum: f64 = rows.iter().map(|row| row.rate(&moving)).sum();
+        assert!((rate[1] - sum).abs() < 1e-14 && rate[0] == 0.0 && rate[2] == 0.0);
+        let ends: Vec<End> = levers.ends((0, 1)).collect();
+        assert_eq!(
+            ends.iter().map(|end| end.body).collect::<Vec<_>>(),
+            [0, 1, 2]
+        );
+        assert_eq!(ends[1].linear, DVec3::X);
+        assert_eq!(ends[1].angular, DVec3::new(1.0, 1.0, -2.0));
     }
 }

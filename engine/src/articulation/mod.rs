@@ -14,6 +14,7 @@
 mod assembly;
 mod ldu;
 mod levers;
+mod square;
 mod swing;
 
 use std::collections::BTreeSet;
@@ -28,6 +29,7 @@ use crate::joint::{Ahead, Cause, Course, DriveRow, End, Joints, Kind, Row};
 use crate::mover::{Mover, Moving, Twist, Yielding};
 use assembly::{Assembly, Member, IDLE, WIDTH};
 use levers::Place;
+use square::Column;
 
 /// Rounds of the active set at most.
 const ROUNDS: usize = 60;
@@ -541,17 +543,17 @@ impl Articulation {
     fn clamp(&mut self, assembly: usize, moving: &mut [impl Yielding]) {
         let a = &self.assemblies[assembly];
         for (block, rows) in a.blocks.iter().enumerate() {
-            let mut changes = DVec3::ZERO;
-            for (change, &row) in changes.as_mut().iter_mut().zip(rows) {
+            let mut changes = Column::ZERO;
+            for (column, &row) in rows.iter().enumerate() {
                 let bound = match self.holds.get(row) {
                     None | Some(Hold::Free) => continue,
                     Some(Hold::Lower) => self.aims[row].lower,
                     Some(Hold::Upper) => self.aims[row].upper,
                 };
-                *change = bound - self.impulses[row];
+                changes[column] = bound - self.impulses[row];
                 self.impulses[row] = bound;
             }
-            if changes != DVec3::ZERO {
+            if changes != Column::ZERO {
                 a.levers.push(block, changes, moving);
             }
         }

@@ -10,27 +10,40 @@ use crate::mover::Twist;
 const ROUNDS: usize = 6;
 
 impl Articulation {
-    /// The greatest omega^2 [1/s^2] of K phi = omega^2 I phi among the motions that joints allow, or a number below `enough`
-    /// if it is surely below.
+    /// The greatest omega^2 [1/s^2] of K phi = omega^2 I phi among the motions that joints allow, or a number that asks for as
+    /// many `parts` of the step.
     ///
-    /// Without joints it would be the greatest eigenvalue of any I^-1 K. Where that is too much, power iteration with
-    /// P I^-1 K, P V = V - M^-1 J^T A^-1 J V, begins with bodies that turn to and fro in turn: the swiftest swing of a chain.
-    pub fn swiftest_swing(&mut self, bodies: &[Body], stiffness: &[DMat3], enough: f64) -> f64 {
+    /// Without joints it would be the greatest eigenvalue of any I^-1 K. Where that asks for more than one, power iteration
+    /// with P I^-1 K, P V = V - M^-1 J^T A^-1 J V, begins with bodies that turn to and fro in turn: the swiftest swing of a
+    /// chain. It comes from below, and ends where it asks for as many as that bound.
+    pub fn swiftest_swing(
+        &mut self,
+        bodies: &[Body],
+        stiffness: &[DMat3],
+        parts: impl Fn(f64) -> f64,
+    ) -> f64 {
         let loose = |k: usize| greatest_eigenvalue(&(bodies[k].inverse_inertia * stiffness[k]));
         let mut swiftest = 0.0_f64;
         for assembly in 0..self.len() {
             let members = self.bodies(assembly).iter();
             let bound = members.map(|&k| loose(k)).fold(0.0, f64::max);
-            swiftest = swiftest.max(if bound < enough {
+            swiftest = swiftest.max(if parts(bound) <= 1.0 {
                 bound
             } else {
-                self.iterate(assembly, bodies, stiffness)
+                let enough = |square: f64| parts(square) >= parts(bound);
+                self.iterate(assembly, bodies, stiffness, enough)
             });
         }
         swiftest
     }
 
-    fn iterate(&mut self, assembly: usize, bodies: &[Body], stiffness: &[DMat3]) -> f64 {
+    fn iterate(
+        &mut self,
+        assembly: usize,
+        bodies: &[Body],
+        stiffness: &[DMat3],
+        enough: impl Fn(f64) -> bool,
+    ) -> f64 {
         let mut motion = std::mem::take(&mut self.trial);
         motion.clear();
         motion.resize(bodies.len(), Twist::default());
@@ -60,6 +73,9 @@ impl Articulation {
             swing = (after / before).max(0.0).sqrt();
             if swing == 0.0 || !swing.is_finite() {
                 swing = 0.0;
+                break;
+            }
+            if enough(swing) {
                 break;
             }
             for &k in self.bodies(assembly) {

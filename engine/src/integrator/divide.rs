@@ -163,8 +163,7 @@ impl Dynamics<'_> {
         self.parts(swing)
     }
 
-    /// The swiftest swing of a mechanism with these forces of its bilateral rows [rad/s], or one for which a single part
-    /// will do.
+    /// The swiftest swing of a mechanism with these forces of its bilateral rows [rad/s], or one that asks for as many parts.
     fn swiftest_swing(&mut self, bodies: &[Body], forces: &[f64]) -> f64 {
         let mut stiffness = std::mem::take(&mut self.scratch.stiffness);
         let (joints, articulation) = (self.joints, &*self.articulation);
@@ -178,9 +177,8 @@ impl Dynamics<'_> {
         };
         joints.stiffness(pull, bodies, &mut stiffness);
         let slow = SWING / self.span.1;
-        let square = self
-            .articulation
-            .swiftest_swing(bodies, &stiffness, slow * slow);
+        let parts = |square: f64| (square.sqrt() / slow).ceil();
+        let square = self.articulation.swiftest_swing(bodies, &stiffness, parts);
         self.scratch.stiffness = stiffness;
         square.sqrt()
     }

@@ -144,7 +144,7 @@ impl Dynamics<'_> {
         let answer = |k: usize| {
             let (mass, start) = (&bodies[k].mass, starts[k].with(&bodies[k]));
             let turn = turn_by_momentum(mass, &start, h, splitting);
-            (h * mass.inverse_mass, turn)
+            (h * mass.inverse_mass, turn.transpose())
         };
         self.articulation.look_ahead(self.joints, bodies, answer);
     }
