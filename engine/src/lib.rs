@@ -10,6 +10,7 @@ pub mod broadphase;
 mod carrying;
 pub mod collide;
 mod cone;
+mod conjugate;
 pub mod contact;
 pub mod curve;
 mod direct;

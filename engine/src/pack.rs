@@ -6,6 +6,7 @@ use glam::DVec3;
 use pulp::{Simd, WithSimd};
 
 use crate::cone::Cone;
+use crate::conjugate::{Conjugate, Course};
 use crate::islands::index;
 use crate::lanes::{abreast, vectorised, Four, FourVectors, Lanes, Real, Vectors, WIDTH};
 use crate::layout::{visit, Layer};
@@ -30,6 +31,8 @@ pub(crate) struct Packs {
     schedule: Schedule,
     /// How the bodies move.
     motions: Vec<Motion>,
+    /// Where sweeps came from.
+    conjugate: Conjugate,
     /// Impulses and motions are here, those of contacts and bodies are of before.
     hold: bool,
 }
@@ -88,6 +91,7 @@ impl Packs {
         if std::mem::replace(&mut self.hold, true) {
             return;
         }
+        self.conjugate.clear();
         fill(&mut self.motions, (movers.len(), Motion::default()), &|k| {
             Motion::of(&movers[k].twist)
         });
@@ -115,6 +119,20 @@ impl Packs {
             for (lane, slot) in bunch.members() {
                 points[slot].impulse = pack.impulse.map(|p| p[lane]).into();
             }
+        }
+    }
+
+    /// Before each pair of sweeps: carry on what those before were about (see `conjugate.rs`).
+    pub(crate) fn carry_on(&mut self, points: &[Point], movers: &[Mover]) {
+        self.load(points, movers);
+        let conjugate = &mut self.conjugate;
+        if conjugate.motions.is_empty() {
+            let impulses = self.packs.iter().map(|pack| Course::of(pack.impulse));
+            conjugate.impulses.extend(impulses);
+            let motions = self.motions.iter().map(|motion| Course::of(motion.0));
+            conjugate.motions.extend(motions);
+        } else {
+            vectorised(CarryOn(self));
         }
     }
 
@@ -161,6 +179,34 @@ impl WithSimd for Sweep<'_, '_> {
             worst = worst.max(self.packs[place].solve(simd, self.motions, self.part));
         }
         worst.store().into_iter().fold(0.0, f64::max)
+    }
+}
+
+/// Impulses and motions after a pair of sweeps carried on.
+struct CarryOn<'a>(&'a mut Packs);
+
+impl WithSimd for CarryOn<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Packs {
+            packs,
+            motions,
+            conjugate,
+            ..
+        } = self.0;
+        let mut square = Lanes::load(simd, [0.0; WIDTH]);
+        for (course, pack) in conjugate.impulses.iter().zip(&*packs) {
+            square = square + course.square(simd, &pack.impulse, &pack.cone.k);
+        }
+        let beta = conjugate.beta(square.store().iter().sum());
+        for (course, pack) in conjugate.impulses.iter_mut().zip(packs) {
+            course.carry_on(simd, &mut pack.impulse, beta);
+        }
+        for (course, motion) in conjugate.motions.iter_mut().zip(motions) {
+            course.carry_on(simd, &mut motion.0, beta);
+        }
     }
 }
 
@@ -370,6 +416,38 @@ mod tests {
         assert_eq!(impulses(&packed), impulses(&points));
         let twists = |movers: &[Mover]| movers.iter().map(|m| m.twist).collect::<Vec<_>>();
         assert_eq!(twists(&moved), twists(&movers));
+    }
+
+    /// Packs after so many sweeps, by turns forwards and backwards, and the last one's residual.
+    fn swept(sweeps: usize, mut between: impl FnMut(&mut Packs)) -> (Packs, f64) {
+        let (points, movers) = heap();
+        let (mut packs, mut residual) = (Packs::default(), 0.0);
+        packs.arrange(&[Layer::WHOLE], &points, &movers);
+        packs.carry_on(&points, &movers);
+        for sweep in 0..sweeps {
+            if sweep > 0 && sweep % 2 == 0 {
+                between(&mut packs);
+            }
+            residual = packs.sweep((&points, &movers), Part::All, sweep % 2 == 1);
+        }
+        (packs, residual)
+    }
+
+    #[test]
+    fn sweeps_that_are_carried_on_converge_faster() {
+        let (_, alone) = swept(40, |_| {});
+        let (_, carried) = swept(40, |packs| vectorised(CarryOn(packs)));
+        assert!(carried < 0.3 * alone, "{carried} {alone}");
+    }
+
+    #[test]
+    fn what_is_carried_on_has_the_same_bits_without_vector_instructions() {
+        let (with, _) = swept(9, |packs| vectorised(CarryOn(packs)));
+        let (without, _) = swept(9, |packs| Scalar256b.vectorize(CarryOn(packs)));
+        assert_eq!(with.motions, without.motions);
+        for (a, b) in with.packs.iter().zip(&without.packs) {
+            assert_eq!(a.impulse, b.impulse);
+        }
     }
 
     #[test]

@@ -18,6 +18,8 @@
 //! check and mend the guess (subspace minimisation: Silcowitz, Niebe & Erleben 2010, "Projected Gauss-Seidel subspace
 //! minimization method for interactive rigid body dynamics", GRAPP).
 //!
+//! Sweeps over many contacts carry on what the sweeps before were about (see `conjugate.rs`).
+//!
 //! Joints are not swept: after every sweep they are solved exactly for what the contacts did (`articulation`), and the
 //! linear solves see bodies with their joints.
 
@@ -588,7 +590,7 @@ impl Worker {
             }
             start = f64::INFINITY;
             if wrong {
-                self.discourage();
+                self.discourage(residual < limits.calm);
                 if part == Part::Normals && self.leap != Some(Leap::Krylov) {
                     return Report {
                         residual,
@@ -637,6 +639,9 @@ impl Worker {
             }
             self.swept += 1;
             residual = if self.packs.are_used() {
+                if backwards {
+                    self.packs.carry_on(system.points, system.movers);
+                }
                 self.packs
                     .sweep((system.points, system.movers), part, backwards)
             } else {
@@ -649,10 +654,11 @@ impl Worker {
         (residual, made)
     }
 
-    /// Guesses that are dear are given up when they are wrong again and again.
-    fn discourage(&mut self) {
+    /// Guesses that are dear are given up when they are wrong again and again, and at once where little is left to do.
+    fn discourage(&mut self, calm: bool) {
         self.wrong += 1;
-        if self.leap == Some(Leap::Direct { cheap: false }) && self.wrong >= MISTAKES {
+        let enough = calm || self.wrong >= MISTAKES;
+        if self.leap == Some(Leap::Direct { cheap: false }) && enough {
             self.leap = Some(Leap::Never);
         }
     }
@@ -694,7 +700,7 @@ impl Worker {
             let reduction = (0.1 * limits.tolerance / residual).max(LEAP);
             return self.leap_by_gmres(system, part, (budget, reduction));
         }
-        let lost = self.wrong > 0 && !self.sought && residual > limits.calm;
+        let lost = self.wrong > 1 && !self.sought && residual > limits.calm;
         if part == Part::All && lost && Interior::suits(system.points) {
             self.sought = true;
             let (points, movers) = (&mut *system.points, &mut *system.movers);

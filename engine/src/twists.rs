@@ -9,7 +9,7 @@ use crate::mover::{Twist, Window};
 /// A twist in memory: velocity, angular velocity, and two numbers that are not used.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(align(64))]
-pub(crate) struct Motion([Four; 2]);
+pub(crate) struct Motion(pub(crate) [Four; 2]);
 
 impl Motion {
     pub(crate) fn of(twist: &Twist) -> Self {
