@@ -93,7 +93,11 @@ fn a_long_chain_stays_together() {
 /// nothing but what joints ask for, chains of ten to a hundred links gain more than they had within ten seconds.
 #[test]
 fn a_tumbling_chain_keeps_its_energy() {
-    for integrator in [Integrator::SemiImplicitEuler, Integrator::VelocityVerlet] {
+    for integrator in [
+        Integrator::SemiImplicitEuler,
+        Integrator::VelocityVerlet,
+        Integrator::Rk4,
+    ] {
         let mut world = chain(10, 0.2, integrator, 1.0 / 240.0);
         let start = world.energies().total();
         for _ in 0..100 {

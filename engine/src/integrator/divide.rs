@@ -10,7 +10,8 @@
 //! step, and divide the drift between the kicks, in which no energy goes in or out. Whether a part is too long is judged by
 //! the momenta with which it was made: these are the same when time runs backwards, and so is the division. One by the
 //! momenta of the start makes a chain lose energy steadily (reversible variable steps: Stoffer 1995, "Variable steps for
-//! reversible integration methods", Computing 55).
+//! reversible integration methods", Computing 55). RK4 divides its whole step by the same rule: at a fifth of a radian its
+//! own error still takes an eighth of the energy of such a chain in 20 s, undivided 40 %.
 //!
 //! A rope under great tension swings faster than a step can follow, and gains energy, though it hardly moves. Its step is
 //! made in equal parts in which it swings by little (`articulation/swing.rs`): kicks and drift by the tension of what pulls
@@ -27,7 +28,7 @@ use crate::force::Powers;
 const HALVINGS: usize = 8;
 /// What turns by less than this in a step is not why joints cannot be closed, and halves would not help [rad].
 const SLOW: f64 = 0.05;
-/// A drift turns a body about a joint by at most this angle [rad]. With twice that a chain of ten links gains or loses a
+/// A drift, or a step of RK4, turns a body about a joint by at most this angle [rad]. With twice that a chain of ten links gains or loses a
 /// tenth of its energy in 30 s, with this a hundredth.
 const TURN: f64 = 0.1;
 
@@ -85,7 +86,11 @@ impl Integrator {
             Division {
                 parts,
                 halvings: HALVINGS,
-                turn: f64::INFINITY,
+                turn: if self == Self::Rk4 {
+                    TURN
+                } else {
+                    f64::INFINITY
+                },
             }
         }
     }
