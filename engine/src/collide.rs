@@ -1,11 +1,11 @@
-//! The narrow phase over many pairs: own kernels where they exist, an oracle (FCL) elsewhere.
+//! The narrow phase over many pairs: the engine's own kernels, or an oracle (FCL).
 
 use std::ops::Range;
 
 use crate::approach::near_margin;
 use crate::islands::index;
 use crate::model::Geom;
-use crate::narrowphase::{self, ContactPoint, Scratch, Verdict};
+use crate::narrowphase::{self, ContactPoint, Scratch};
 use crate::shape::{Pose, Shape};
 use crate::team::divide;
 use glam::DVec3;
@@ -43,7 +43,7 @@ pub trait Oracle: Send {
     fn ask(&mut self, queries: &[Query], answers: &mut Vec<Option<Answer>>) -> Result<(), String>;
 }
 
-/// Stands where every pair has a kernel.
+/// Stands where no oracle is asked.
 pub struct NoOracle;
 
 impl Oracle for NoOracle {
@@ -119,18 +119,15 @@ impl Stretch {
         self.unanswered.clear();
         for (index, job) in (index(range.start)..).zip(&jobs[range]) {
             self.points.clear();
-            let verdict = if fcl_only {
-                Verdict::AskFcl
-            } else {
-                let (a, b) = shapes(geoms, job);
-                let ((pose_a, pose_b), margin) = (&job.poses, job.margin);
-                let (scratch, points) = (&mut self.scratch, &mut self.points);
-                narrowphase::collide(a, pose_a, b, pose_b, margin, scratch, points)
-            };
-            match verdict {
-                Verdict::Answered => self.keep(index, near_depth(geoms, job.geoms)),
-                Verdict::AskFcl => self.unanswered.push(index),
+            if fcl_only {
+                self.unanswered.push(index);
+                continue;
             }
+            let (a, b) = shapes(geoms, job);
+            let ((pose_a, pose_b), margin) = (&job.poses, job.margin);
+            let (scratch, points) = (&mut self.scratch, &mut self.points);
+            narrowphase::collide(a, pose_a, b, pose_b, margin, scratch, points);
+            self.keep(index, near_depth(geoms, job.geoms));
         }
     }
 

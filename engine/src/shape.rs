@@ -227,6 +227,37 @@ impl Shape {
         }
     }
 
+    /// How the support point of a unit direction moves when that turns, by its change at right angles to it; zero where it
+    /// rests in a corner.
+    ///
+    /// An ellipsoid's support is p = E^2 d / |E d|, with E = diag(radii), hence dp = (E^2 - p p^T) dd / |E d|; a rim's,
+    /// radius r, is r e with e along d's part in its plane, f, and dp = (1 - e e^T) r df / |f|.
+    pub(crate) fn support_turn(&self, direction: DVec3, change: DVec3) -> DVec3 {
+        let d = direction;
+        let rim = |radius: f64| {
+            let reach = (d.x * d.x + d.y * d.y).sqrt();
+            if reach > 0.0 {
+                let across = DVec3::new(-d.y, d.x, 0.0) / reach;
+                radius / reach * across.dot(change) * across
+            } else {
+                DVec3::ZERO
+            }
+        };
+        match self {
+            Shape::Sphere { radius } | Shape::Capsule { radius, .. } => *radius * change,
+            Shape::Cylinder { radius, .. } => rim(*radius),
+            Shape::Cone { radius, height } if cone_support(*radius, *height, d).z < 0.0 => {
+                rim(*radius)
+            }
+            Shape::Ellipsoid { radii } => {
+                let reach = (*radii * d).length();
+                let p = *radii * *radii * d / reach;
+                (*radii * *radii * change - p * p.dot(change)) / reach
+            }
+            _ => DVec3::ZERO,
+        }
+    }
+
     /// Smallest box with sides along the world axes around the posed shape.
     pub fn aabb(&self, pose: &Pose) -> Aabb {
         let rows = pose.rotation.transpose();

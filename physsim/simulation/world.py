@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Simulated:
-    """world: `physsim._engine.World`; answer: the FCL callback, None when no pair of shapes needs it."""
+    """world: `physsim._engine.World`; answer: the FCL callback, None when the engine answers all pairs."""
 
     world: Any
     answer: Any
@@ -31,6 +31,6 @@ def build(model: Model) -> Simulated:
 
 
 def _answers(arrays: dict[str, object]) -> Any:
-    from physsim.collision import FclAnswers  # noqa: PLC0415, needs fcl, which many scenes do not
+    from physsim.collision import FclAnswers  # noqa: PLC0415, needs fcl, which few scenes do
 
     return FclAnswers(arrays)

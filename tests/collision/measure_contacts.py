@@ -11,6 +11,7 @@ import sys
 from collections.abc import Iterable
 from itertools import combinations_with_replacement
 from pathlib import Path
+from typing import NamedTuple
 
 import fcl
 import numpy as np
@@ -42,39 +43,64 @@ def main() -> None:
 
 def pair_table() -> Iterable[str]:
     yield (
-        "| pair | `auto` | points | normal, apart | depth, apart | depth, near | depth, overlapping "
+        "| pair | points | engine: normal, apart | depth, apart | depth, near | depth, overlapping "
+        "| FCL: normal, apart | depth, apart | depth, near | depth, overlapping "
         "| normal of the manifold | depth of the manifold |"
     )
-    yield "|---|---|---|---|---|---|---|---|---|"
+    yield "|---|---|---|---|---|---|---|---|---|---|---|---|"
     names = (*SOLIDS, "halfspace")
     for a, b in combinations_with_replacement(names, 2):
         if a in ("mesh", "halfspace"):
             continue
-        answered = "engine" if kernel_world(a, b) else "FCL"
         label = f"{a}, triangle of a mesh" if b == "mesh" else f"{a}, {b}"
-        worst = halfspace_errors(a) if b == "halfspace" else errors(a, b)
-        worst = (*worst, *manifold_errors(a, b))
-        yield f"| {label} | {answered} | {most_points(a, b)} | {' | '.join(map(text_of, worst))} |"
+        worst = halfspace_errors(a) if b == "halfspace" else errors(a, b, Asker([THINGS[a], THINGS[b]]))
+        own = errors(a, b, Engine(a, b)) if b not in ("mesh", "halfspace") else None
+        of_engine = map(text_of, own) if own else ("",) * 4
+        columns = (*of_engine, *map(text_of, (*worst, *manifold_errors(a, b))))
+        yield f"| {label} | {most_points(a, b)} | {' | '.join(columns)} |"
 
 
-def errors(a: str, b: str) -> tuple[float, float, float, float]:
+class Deepest(NamedTuple):
+    """The deepest point of a manifold."""
+
+    normal: Floats
+    depth: float
+
+
+class Engine:
+    """The engine's own answers about a pair, asked like FCL's."""
+
+    def __init__(self, a: str, b: str) -> None:
+        self._world = World(engine_input([THINGS[a], THINGS[b]]))
+
+    def __call__(self, a: int, pose_a: Floats, b: int, pose_b: Floats) -> Deepest | None:
+        """None between corners of polytopes that are apart."""
+        points = self._world.collide_pair(a, pose_a, b, pose_b, 10.0)
+        if not len(points["depth"]):
+            return None
+        deepest = int(np.argmax(points["depth"]))
+        return Deepest(points["normal"][deepest], float(points["depth"][deepest]))
+
+
+def errors(a: str, b: str, ask: Asker | Engine) -> tuple[float, float, float, float]:
     """Largest errors of the normal and depth apart, of the depth near touching, of the depth of overlaps."""
-    ask = Asker([THINGS[a], THINGS[b]])
     rng = np.random.default_rng(41)
     normal, apart, near, overlapping = [], [], [], []
     for gap in APART * 20:
         pose_a, pose_b, n = touching(THINGS[a], THINGS[b], gap, rng)
-        answer = ask(0, pose_a, 1, pose_b)
-        normal.append(np.linalg.norm(answer.normal - n))
-        apart.append(abs(answer.depth + gap))
+        if answer := ask(0, pose_a, 1, pose_b):
+            normal.append(np.linalg.norm(answer.normal - n))
+            apart.append(abs(answer.depth + gap))
     for gap in NEAR * 15:
         pose_a, pose_b, _ = touching(THINGS[a], THINGS[b], gap, rng)
-        near.append(abs(ask(0, pose_a, 1, pose_b).depth + gap))
+        if answer := ask(0, pose_a, 1, pose_b):
+            near.append(abs(answer.depth + gap))
     for overlap in OVERLAPS * 8:
         pose_a, pose_b, n = touching(THINGS[a], THINGS[b], -overlap, rng)
         expected, _ = true_depth(THINGS[a], pose_a, THINGS[b], pose_b, n)
-        overlapping.append(abs(ask(0, pose_a, 1, pose_b).depth - expected))
-    return max(normal), max(apart), max(near), max(overlapping)
+        if answer := ask(0, pose_a, 1, pose_b):
+            overlapping.append(abs(answer.depth - expected))
+    return max(normal, default=0.0), max(apart, default=0.0), max(near, default=0.0), max(overlapping)
 
 
 def halfspace_errors(a: str) -> tuple[float, float, float, float]:
@@ -121,15 +147,10 @@ def facing(n: Floats) -> Floats:
     return q / np.linalg.norm(q)
 
 
-def kernel_world(a: str, b: str) -> bool:
-    return not World(engine_input([THINGS[a], THINGS[b]])).needs_answer()
-
-
 def most_points(a: str, b: str) -> int:
     """The most points of a manifold seen where the bodies lie face to face, edge to face, or line to face."""
     arrays = engine_input([THINGS[a], THINGS[b]])
     world = World(arrays)
-    answer = FclAnswers(arrays) if world.needs_answer() else None
     rng = np.random.default_rng(43)
     count = 0
     for _ in range(200):
@@ -137,7 +158,7 @@ def most_points(a: str, b: str) -> int:
         found, normal, depth, _ = FclAnswers(arrays)(*parts(b), pose_a[None], pose_b[None], np.array([10.0]))
         if found[0]:
             pose_a[:3] += (depth[0] - 1e-4) * normal[0]
-            count = max(count, len(world.collide_pair(0, pose_a, 1, pose_b, 1e-3, answer)["depth"]))
+            count = max(count, len(world.collide_pair(0, pose_a, 1, pose_b, 1e-3)["depth"]))
     return count
 
 

@@ -24,6 +24,11 @@ pub const ALL: &[Kernel] = &[
     ("box-box, laid flat", || flat(cube(), cube())),
     ("hull-hull", || pair(pebble(), pebble())),
     ("hull-box", || pair(pebble(), cube())),
+    ("cylinder-cylinder", || pair(can(), can())),
+    ("cylinder-box, laid flat", || flat(can(), cube())),
+    ("cone-hull", || pair(cone(), pebble())),
+    ("ellipsoid-ellipsoid", || pair(egg(), egg())),
+    ("ellipsoid-box", || pair(egg(), cube())),
 ];
 
 fn ball() -> Shape {
@@ -40,6 +45,25 @@ fn capsule() -> Shape {
         radius: 0.07,
         half_height: 0.1,
     }
+}
+
+fn can() -> Shape {
+    Shape::Cylinder {
+        radius: 0.1,
+        half_height: 0.1,
+    }
+}
+
+fn cone() -> Shape {
+    Shape::Cone {
+        radius: 0.12,
+        height: 0.25,
+    }
+}
+
+fn egg() -> Shape {
+    let radii = DVec3::new(0.12, 0.1, 0.08);
+    Shape::Ellipsoid { radii }
 }
 
 /// A prism of seven sides, 16 faces' worth of work: 14 corners, 9 faces, 21 edges.

@@ -15,7 +15,7 @@ pub(crate) struct Closest {
     pub distance: f64,
 }
 
-/// Nearest surface of a solid, all in its frame. None for shapes without a closed form (ellipsoid, exact mesh).
+/// Nearest surface of a solid, all in its frame. None for an exact mesh.
 pub(crate) fn closest(shape: &Shape, p: DVec3) -> Option<Closest> {
     match shape {
         Shape::Sphere { radius } => Some(ball(p, *radius, DVec3::Z)),
@@ -36,7 +36,8 @@ pub(crate) fn closest(shape: &Shape, p: DVec3) -> Option<Closest> {
             normal: DVec3::Z,
             distance: p.z,
         }),
-        Shape::Ellipsoid { .. } | Shape::Mesh(_) => None,
+        Shape::Ellipsoid { radii } => Some(from_ellipsoid(*radii, p)),
+        Shape::Mesh(_) => None,
     }
 }
 
@@ -135,6 +136,43 @@ fn on_segment_2d(p: DVec2, a: DVec2, b: DVec2) -> DVec2 {
     let d = b - a;
     let t = (p - a).dot(d) / d.length_squared();
     a + d * t.clamp(0.0, 1.0)
+}
+
+/// The point x where p - x is along the surface's normal x_i / e_i^2, with semi-axes e: p_i = x_i (1 + t / e_i^2) for
+/// some t above -e_min^2, and the x_i / e_i make a unit vector (Eberly, Distance from a Point to an Ellipse, an
+/// Ellipsoid, or a Hyperellipsoid, 2013). In shares of the semi-axes, z_i = |p_i| / e_i and r_i = (e_i / e_min)^2, with
+/// u = 1 + t / e_min^2 > 0,
+///
+/// ```text
+/// sum of y_i^2 = 1,  y_i = r_i z_i / (u + r_i - 1).
+/// ```
+///
+/// The left side falls and is convex: Newton's method from below, where one y_i alone is 1, stays below. A point on a
+/// plane of symmetry is taken beside it by less than rounding, so that it knows to which side to leave.
+fn from_ellipsoid(radii: DVec3, p: DVec3) -> Closest {
+    const ROUNDS: usize = 128;
+    const BESIDE: f64 = 1e-18;
+    let z = (p.abs() / radii).max(DVec3::splat(BESIDE));
+    let over = radii / radii.min_element();
+    let r = over * over;
+    let rest = r - DVec3::ONE;
+    let mut u = (r * z - rest).max_element();
+    let mut y = r * z / (u + rest);
+    for _ in 0..ROUNDS {
+        let fall = 2.0 * (y * y / (u + rest)).element_sum();
+        let next = u + (y.length_squared() - 1.0) / fall;
+        if next.is_nan() || next <= u * (1.0 + f64::EPSILON) {
+            break;
+        }
+        u = next;
+        y = r * z / (u + rest);
+    }
+    let side = DVec3::ONE.copysign(p);
+    let normal = (side * y / radii).normalize_or_zero();
+    Closest {
+        normal,
+        distance: normal.dot(p - side * y * radii),
+    }
 }
 
 /// From the half-plane (radial, z) back into space, towards the side on which p lies.
@@ -238,4 +276,75 @@ fn from_triangle(corners: &[DVec3; 3], p: DVec3) -> Closest {
     let difference = from_polygon(corners.iter().copied(), normal, height, p);
     let (normal, distance) = outward(difference, facing, (b - a).length() + (c - a).length());
     Closest { normal, distance }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::testing::Random;
+    use super::*;
+
+    /// The point found lies on the surface, with the normal that the surface has there, and no support plane is farther
+    /// away outside, or nearer inside.
+    #[test]
+    fn points_around_and_in_ellipsoids() {
+        let mut random = Random(61);
+        for radii in [
+            DVec3::new(0.5, 0.3, 0.2),
+            DVec3::new(1.0, 1.0, 1e-3),
+            DVec3::new(1e-3, 1.0, 1e-3),
+            DVec3::splat(0.4),
+            DVec3::new(0.4, 0.4, 0.4 + 1e-12),
+        ] {
+            let shape = Shape::Ellipsoid { radii };
+            for k in 0..2000 {
+                let mut p = 1.5 * radii * random.unit() * random.next();
+                if k % 3 == 0 {
+                    p[k % 2] = 0.0;
+                }
+                if k % 5 == 0 {
+                    p[2] = 0.0;
+                }
+                let found = closest(&shape, p).unwrap();
+                let (n, q) = (found.normal, p - found.distance * found.normal);
+                assert!((n.length() - 1.0).abs() < 1e-14);
+                let scale = radii.max_element();
+                assert!(
+                    shape.support(n).distance(q) < 1e-9 * scale,
+                    "{radii} {p} {found:?}"
+                );
+                assert!(((q / radii).length() - 1.0).abs() < 1e-9, "{radii} {p}");
+                let separation = |n: DVec3| n.dot(p - shape.support(n));
+                for _ in 0..20 {
+                    let other = separation((n + 0.3 * random.unit()).normalize());
+                    assert!(
+                        other <= separation(n) + 1e-15,
+                        "{radii} {p} {other} {found:?}"
+                    );
+                    let other = separation(random.unit());
+                    assert!(
+                        other <= separation(n) + 1e-15,
+                        "{radii} {p} {other} {found:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_middle_of_an_ellipsoid_leaves_along_its_shortest_axis() {
+        for (radii, depth) in [(DVec3::new(3.0, 2.0, 1.0), 1.0), (DVec3::splat(2.0), 2.0)] {
+            let found = closest(&Shape::Ellipsoid { radii }, DVec3::ZERO).unwrap();
+            assert!((found.distance + depth).abs() < 1e-15);
+        }
+        let outside = closest(
+            &Shape::Ellipsoid {
+                radii: DVec3::new(3.0, 2.0, 1.0),
+            },
+            DVec3::new(0.0, 7.0, 0.0),
+        );
+        let outside = outside.unwrap();
+        assert!(
+            outside.normal.distance(DVec3::Y) < 1e-15 && (outside.distance - 5.0).abs() < 1e-15
+        );
+    }
 }

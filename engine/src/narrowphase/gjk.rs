@@ -8,8 +8,10 @@ use super::Posed;
 use glam::DVec3;
 
 const ROUNDS: usize = 60;
-/// Relative gap between upper and lower bound of the squared distance at which the search is over.
+/// Relative gap between upper and lower bound of the distance at which the search is over.
 const CONVERGED: f64 = 1e-12;
+/// Share of the distance up to which it is told at least.
+const SHARE: f64 = 0.1;
 /// A simplex whose volume is below this share of its size cubed is flat.
 const FLAT: f64 = 1e-13;
 
@@ -36,9 +38,29 @@ struct Simplex {
     count: usize,
 }
 
+/// What the search for the nearest points found.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Gap {
+    /// The shapes are at least as far apart as was asked.
+    Beyond,
+    /// They are apart.
+    Open(Nearest),
+    /// They overlap or touch.
+    Closed,
+}
+
 /// Nearest points of A, moved by `shift`, and B, searched from a direction that roughly points from B to A; None when
 /// they overlap or touch. `p` is returned on the moved A.
 pub(crate) fn nearest(a: &Posed, b: &Posed, shift: DVec3, guess: DVec3) -> Option<Nearest> {
+    match gap(a, b, shift, guess, f64::INFINITY, 0.0) {
+        Gap::Open(nearest) => Some(nearest),
+        _ => None,
+    }
+}
+
+/// The same, ended as soon as a plane shows that the shapes are at least `limit` [m] apart, or that they are as far apart
+/// as the points found, but for a tenth of it and for `fine` [m].
+pub(crate) fn gap(a: &Posed, b: &Posed, shift: DVec3, guess: DVec3, limit: f64, fine: f64) -> Gap {
     let corner = |direction: DVec3| {
         let (p, q) = (a.support(-direction) + shift, b.support(direction));
         Corner { w: p - q, p, q }
@@ -48,12 +70,20 @@ pub(crate) fn nearest(a: &Posed, b: &Posed, shift: DVec3, guess: DVec3) -> Optio
     let mut apart = false;
     for _ in 0..ROUNDS {
         let next = corner(v);
-        let improvement = v.length_squared() - v.dot(next.w);
-        if improvement.is_nan() || improvement <= CONVERGED * v.length_squared() {
+        // Times |v|, the gap along v, which the distance is not below.
+        let shown = v.dot(next.w);
+        if shown > 0.0 && shown * shown >= limit * limit * v.length_squared() {
+            return Gap::Beyond;
+        }
+        let enough = CONVERGED.max((fine / v.length()).min(SHARE));
+        let improvement = v.length_squared() - shown;
+        if improvement.is_nan() || improvement <= enough * v.length_squared() {
             break;
         }
-        apart |= v.dot(next.w) > 0.0;
-        let grown = simplex.with(next).reduced(apart)?;
+        apart |= shown > 0.0;
+        let Some(grown) = simplex.with(next).reduced(apart) else {
+            return Gap::Closed;
+        };
         let nearer = grown.point();
         if nearer.length_squared() >= v.length_squared() {
             break;
@@ -61,7 +91,11 @@ pub(crate) fn nearest(a: &Posed, b: &Posed, shift: DVec3, guess: DVec3) -> Optio
         simplex = grown;
         v = nearer;
     }
-    (v.length_squared() > 0.0).then(|| simplex.nearest())
+    if v.length_squared() > 0.0 {
+        Gap::Open(simplex.nearest())
+    } else {
+        Gap::Closed
+    }
 }
 
 impl Simplex {

@@ -481,27 +481,182 @@ fn everything_on_a_plane() {
     assert_depths(&slope, tilted.rotation.z_axis, &[0.0]);
 }
 
+const CAN: Shape = Shape::Cylinder {
+    radius: 0.2,
+    half_height: 0.5,
+};
+const CONE: Shape = Shape::Cone {
+    radius: 0.3,
+    height: 0.8,
+};
+const EGG: Shape = Shape::Ellipsoid {
+    radii: DVec3::new(0.3, 0.2, 0.1),
+};
+
+/// The deepest point's normal and depth.
+fn assert_deepest(points: &[ContactPoint], normal: DVec3, depth: f64) {
+    let found = deepest(points);
+    assert!(
+        found.normal.distance(normal) < 1e-7 && (found.depth - depth).abs() < 1e-12,
+        "{found:?} {normal} {depth}"
+    );
+}
+
 #[test]
-fn kernels_say_what_they_answer() {
-    let can = Shape::Cylinder {
-        radius: 0.2,
+fn cylinders_stand_lie_and_cross() {
+    for gap in [0.0, 0.04, 1e-9, -1e-9, -1e-4, -0.1] {
+        let stands = contacts(
+            &CAN,
+            &at(0.1, 0.0, 1.0 + gap),
+            &CAN,
+            &Pose::IDENTITY,
+            MARGIN,
+        );
+        assert_deepest(&stands, DVec3::Z, -gap);
+        assert!(stands.len() >= 4);
+        let beside = contacts(
+            &CAN,
+            &at(0.4 + gap, 0.0, 0.3),
+            &CAN,
+            &Pose::IDENTITY,
+            MARGIN,
+        );
+        assert_depths(&beside, DVec3::X, &[-gap; 2]);
+        // Sides at right angles.
+        let pose = lying(DVec3::new(0.1, 0.4 + gap, 0.2), 0.0);
+        let crossed = contacts(&CAN, &pose, &CAN, &Pose::IDENTITY, MARGIN);
+        assert_depths(&crossed, DVec3::Y, &[-gap]);
+        assert!(
+            crossed[0]
+                .position
+                .distance(DVec3::new(0.0, 0.2 + 0.5 * gap, 0.2))
+                < 1e-9
+        );
+        // A rim stands on a rim, at right angles to it, both at 45 degrees.
+        let (upper, lower) = (
+            turned(DVec3::ZERO, DVec3::X, FRAC_PI_4),
+            turned(DVec3::ZERO, DVec3::Y, FRAC_PI_4),
+        );
+        let lowest = upper.point(CAN.support(upper.inverse_direction(DVec3::NEG_Z)));
+        let highest = lower.point(CAN.support(lower.inverse_direction(DVec3::Z)));
+        assert!((highest.z - lowest.z - 1.4 * FRAC_1_SQRT_2).abs() < 1e-15);
+        let upper = Pose {
+            position: highest - lowest + gap * DVec3::Z,
+            ..upper
+        };
+        if gap > -0.1 {
+            let rims = contacts(&CAN, &upper, &CAN, &lower, MARGIN);
+            assert_deepest(&rims, DVec3::Z, -gap);
+        }
+    }
+}
+
+#[test]
+fn ellipsoids_touch_along_their_axes() {
+    for gap in [0.0, 0.04, 1e-9, -1e-9, -1e-4, -0.05] {
+        for (axis, reach) in [(DVec3::X, 0.3), (DVec3::Y, 0.2), (DVec3::Z, 0.1)] {
+            let pose = |other: f64| Pose {
+                position: axis * (reach + other + gap),
+                ..Pose::IDENTITY
+            };
+            let egg = &Pose::IDENTITY;
+            let depths = [
+                contacts(&BALL, &pose(0.5), &EGG, egg, MARGIN),
+                contacts(&EGG, &pose(reach), &EGG, egg, MARGIN),
+                contacts(&EGG, &pose(1.0), &CUBE, egg, MARGIN),
+            ];
+            for points in depths {
+                assert_eq!(points.len(), 1);
+                assert_deepest(&points, axis, -gap);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_cone_stands_on_its_base_and_on_its_tip() {
+    let upside_down = |z: f64| turned(DVec3::new(0.1, 0.2, z), DVec3::X, PI);
+    for gap in [0.0, 0.04, 1e-9, -1e-9, -1e-4] {
+        let base = contacts(
+            &CONE,
+            &at(0.1, 0.2, 1.2 + gap),
+            &CUBE,
+            &Pose::IDENTITY,
+            MARGIN,
+        );
+        assert_deepest(&base, DVec3::Z, -gap);
+        assert_eq!(base.len(), 8);
+        let tip = contacts(
+            &CONE,
+            &upside_down(1.6 + gap),
+            &CUBE,
+            &Pose::IDENTITY,
+            MARGIN,
+        );
+        assert_depths(&tip, DVec3::Z, &[-gap]);
+        assert!(
+            tip[0]
+                .position
+                .distance(DVec3::new(0.1, 0.2, 1.0 + 0.5 * gap))
+                < 1e-9
+        );
+    }
+}
+
+/// In one place, and one about the other.
+#[test]
+fn concentric_shapes_leave_along_their_shortest_way() {
+    let here = Pose::IDENTITY;
+    let depth = |a: &Shape, b: &Shape| deepest(&contacts(a, &here, b, &here, MARGIN)).depth;
+    assert!((depth(&CAN, &CAN) - 0.4).abs() < 1e-12);
+    assert!((depth(&EGG, &EGG) - 0.2).abs() < 1e-12);
+    assert!((depth(&EGG, &CUBE) - 1.1).abs() < 1e-12);
+    assert!((depth(&CAN, &PILL) - 0.4).abs() < 1e-12);
+}
+
+/// From millimetres to kilometres, and far from the origin.
+#[test]
+fn size_and_place_do_not_matter() {
+    for size in [1e-3, 1.0, 1e3] {
+        let can = Shape::Cylinder {
+            radius: 0.2 * size,
+            half_height: 0.5 * size,
+        };
+        let egg = Shape::Ellipsoid {
+            radii: size * DVec3::new(0.3, 0.2, 0.1),
+        };
+        for far in [0.0, 1e3 * size] {
+            for overlap in [1e-4, -1e-4] {
+                let place = |z: f64| at(far, -far, size * z - size * overlap);
+                let points = contacts(&egg, &place(0.6), &can, &place(overlap), 0.01 * size);
+                let depth = deepest(&points).depth / size;
+                assert!(
+                    (depth - overlap).abs() < 1e-11,
+                    "{size} {far} {depth} {overlap}"
+                );
+            }
+        }
+    }
+}
+
+/// Within the rim, beyond the polygon that stands for it.
+#[test]
+fn a_tip_stands_near_the_rim_of_a_cap() {
+    let plate = Shape::Cylinder {
+        radius: 1.0,
         half_height: 0.5,
     };
-    let mut out = Vec::new();
-    let verdict = collide(
-        &CUBE,
-        &Pose::IDENTITY,
-        &can,
-        &Pose::IDENTITY,
-        MARGIN,
-        &mut Scratch::default(),
-        &mut out,
-    );
-    assert_eq!(verdict, Verdict::AskFcl);
-    assert!(
-        out.is_empty()
-            && !has_kernel(&can, &CUBE)
-            && has_kernel(&can, &BALL)
-            && has_kernel(&can, &Shape::HalfSpace)
-    );
+    let (s, c) = libm::sincos(FRAC_PI_4 / 2.0);
+    let place = 0.97 * DVec3::new(c, s, 0.0);
+    for gap in [1e-3, -1e-3] {
+        let tip = turned(place + DVec3::Z * (1.1 + gap), DVec3::X, PI);
+        let points = contacts(&CONE, &tip, &plate, &Pose::IDENTITY, MARGIN);
+        assert_depths(&points, DVec3::Z, &[-gap]);
+        assert!(
+            points[0]
+                .position
+                .distance(place + DVec3::Z * (0.5 + 0.5 * gap))
+                < 1e-6
+        );
+    }
 }

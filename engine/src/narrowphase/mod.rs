@@ -1,13 +1,16 @@
 //! Contacts between two posed shapes: which points, which direction, how deep.
 //!
 //! Every pair is answered in the same two strides: find the direction in which the shapes are least apart or least
-//! overlapped (closed form, projection onto a solid, or separating axes), then lay the features that face each other
+//! overlapped (closed form, projection onto a solid, separating axes, or by how far the shapes reach), then lay the features that face each other
 //! in this direction over one another (`features`, `clip`) and measure each point's gap along it.
 
+mod ascent;
 mod box_box;
 mod capsule;
 mod clip;
 mod closest;
+mod convex;
+mod expanding;
 mod features;
 mod gjk;
 mod halfspace;
@@ -44,15 +47,6 @@ pub struct ContactPoint {
     pub depth: f64,
 }
 
-/// Whether the engine had an answer of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// The points, perhaps none, have been appended.
-    Answered,
-    /// No kernel for this pair of shapes: ask FCL, then call `manifold`.
-    AskFcl,
-}
-
 /// Memory that is used again from pair to pair, so that a steady simulation allocates nothing.
 #[derive(Default, Debug)]
 pub struct Scratch {
@@ -64,6 +58,7 @@ pub struct Scratch {
     clip: Vec<DVec3>,
     heights: Vec<f64>,
     polish: polish::Buffers,
+    polytope: expanding::Polytope,
     triangles: Vec<u32>,
     ways: Vec<triangle_mesh::Way>,
     kept: Vec<reduce::Kept>,
@@ -105,7 +100,7 @@ impl Sink<'_> {
 }
 
 /// Appends the points where A and B are nearer than `margin` [m] to `out`: at most 8 for convex shapes, at most 32 for a
-/// mesh. Says `AskFcl`, and appends nothing, when `has_kernel` is false.
+/// mesh.
 pub fn collide(
     a: &Shape,
     pose_a: &Pose,
@@ -114,10 +109,7 @@ pub fn collide(
     margin: f64,
     scratch: &mut Scratch,
     out: &mut Vec<ContactPoint>,
-) -> Verdict {
-    if !has_kernel(a, b) {
-        return Verdict::AskFcl;
-    }
+) {
     let a = Posed {
         shape: a,
         pose: *pose_a,
@@ -131,7 +123,6 @@ pub fn collide(
         kernel(a, b, scratch, &mut Sink { margin, out });
         seams::drop_passing(a, b, out, start);
     });
-    Verdict::Answered
 }
 
 /// Appends the manifold for a normal (unit, from B to A, roughly right) that somebody else, FCL, found, and a point
@@ -178,22 +169,6 @@ pub fn manifold(
     });
 }
 
-/// Whether `collide` answers this pair of shapes itself.
-pub fn has_kernel(a: &Shape, b: &Shape) -> bool {
-    use Shape::{Box, Capsule, Ellipsoid, HalfSpace, Hull, Mesh, Rod, Sphere, Triangle};
-    let (low, high) = if rank(a) <= rank(b) { (a, b) } else { (b, a) };
-    match (low, high) {
-        (_, HalfSpace) | (Mesh(_), Mesh(_)) => true,
-        (Sphere { .. }, _) => !matches!(high, Ellipsoid { .. }),
-        (Capsule { .. } | Rod { .. }, Capsule { .. } | Rod { .. }) => true,
-        (Capsule { .. } | Rod { .. } | Box { .. } | Hull(_) | Triangle(_), _) => {
-            matches!(high, Box { .. } | Hull(_) | Triangle(_) | Mesh(_))
-        }
-        (_, Mesh(_)) => true,
-        _ => false,
-    }
-}
-
 /// Calls with the shapes in the order of their rank and in axes through the first one's origin, then mirrors and
 /// shifts the new points back: both orders of the arguments give the same answer, and precision does not depend on
 /// the distance from the world's origin.
@@ -236,7 +211,7 @@ fn rank(shape: &Shape) -> u8 {
 }
 
 fn kernel(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
-    use Shape::{Box, Capsule, HalfSpace, Mesh, Rod, Sphere};
+    use Shape::{Box, Capsule, HalfSpace, Hull, Mesh, Rod, Sphere, Triangle};
     match (a.shape, b.shape) {
         (_, HalfSpace) => halfspace::collide(a, &b.pose, scratch, sink),
         (Mesh(_), _) => {}
@@ -247,7 +222,9 @@ fn kernel(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
         (Capsule { .. } | Rod { .. }, Capsule { .. } | Rod { .. }) => {
             capsule::against_capsule(a, b, &mut scratch.kept, sink)
         }
-        (Capsule { .. } | Rod { .. }, _) => capsule::against_polytope(a, b, scratch, sink),
+        (Capsule { .. } | Rod { .. }, Box { .. } | Hull(_) | Triangle(_)) => {
+            capsule::against_polytope(a, b, scratch, sink)
+        }
         (Box { half: half_a }, Box { half: half_b }) => {
             if let Some(normal) =
                 box_box::separating_axis(*half_a, &a.pose, *half_b, &b.pose, sink.margin)
@@ -255,7 +232,15 @@ fn kernel(a: &Posed, b: &Posed, scratch: &mut Scratch, sink: &mut Sink) {
                 along(a, b, normal, scratch, sink);
             }
         }
-        _ => polytopes(a, b, scratch, sink),
+        (Box { .. } | Hull(_) | Triangle(_), Box { .. } | Hull(_) | Triangle(_)) => {
+            polytopes(a, b, scratch, sink)
+        }
+        _ => {
+            let (polytope, buffers) = (&mut scratch.polytope, &mut scratch.polish);
+            if let Some(best) = convex::separation(a, b, sink.margin, polytope, buffers) {
+                built(a, b, &best, a.pose.position, scratch, sink);
+            }
+        }
     }
 }
 
@@ -283,8 +268,7 @@ fn along(a: &Posed, b: &Posed, normal: DVec3, scratch: &mut Scratch, sink: &mut 
     }
 }
 
-/// The contact along the best normal near the given one. Its deepest point states the separation along the normal:
-/// where the features miss it (a round rim that stands for a polygon), it is added.
+/// The contact along the best normal near the given one.
 fn refined(
     a: &Posed,
     b: &Posed,
@@ -293,9 +277,21 @@ fn refined(
     scratch: &mut Scratch,
     sink: &mut Sink,
 ) {
-    let Some(best) = polish::polish(a, b, normal, &mut scratch.polish) else {
-        return;
-    };
+    if let Some(best) = polish::polish(a, b, normal, &mut scratch.polish) {
+        built(a, b, &best, witness, scratch, sink);
+    }
+}
+
+/// The contact along the best normal. Its deepest point states the separation along the normal: where the features miss
+/// it (a round rim that stands for a polygon), it is added.
+fn built(
+    a: &Posed,
+    b: &Posed,
+    best: &polish::Polished,
+    witness: DVec3,
+    scratch: &mut Scratch,
+    sink: &mut Sink,
+) {
     if best.separation >= sink.margin {
         return;
     }
@@ -308,7 +304,8 @@ fn refined(
     {
         let n = best.normal;
         let middle = 0.5 * n.dot(a.support(-n) + b.support(n));
-        let witness = best.witness.unwrap_or(witness);
+        let meeting = || polish::meeting(a, b, best, &scratch.polish);
+        let witness = best.witness.or_else(meeting).unwrap_or(witness);
         sink.push(witness + (middle - n.dot(witness)) * n, n, -best.separation);
     }
     reduce::spread(sink.out, start, 8, RESOLUTION * scale, &mut scratch.kept);

@@ -20,6 +20,7 @@
 //! penetration p, curvature radius R of the difference of both bodies and a gap d after moving, the error shrinks by
 //! (p + d) / (R + d) per round.
 
+use super::ascent::{Cores, Ridge};
 use super::{gjk, Posed};
 use crate::shape::{Hull, Shape};
 use glam::DVec3;
@@ -28,8 +29,10 @@ use glam::DVec3;
 const NEARBY: f64 = 0.966;
 /// Of hulls with more faces only those within that angle are tried.
 const MANY_FACES: usize = 64;
-/// A line this near (cosine) to a right angle with the normal is meant to be at a right angle.
+/// A climb this near (cosine) to a ridge is meant to be on it.
 const LEVEL: f64 = 1e-3;
+/// Ridges this near (cosine) to the best direction are tried.
+const BESIDE: f64 = 0.05;
 const ROUNDS: usize = 40;
 /// Gap after moving A, as a share of the smaller shape: small for speed, large against rounding.
 const GAP: f64 = 0.004;
@@ -38,12 +41,15 @@ const CONVERGED: f64 = 1e-13;
 /// Share of the shapes' size by which a kink may lose against the climb: rounding.
 const ROUNDING: f64 = 1e-11;
 
+/// Share of the larger shape by which supports may miss each other at a peak: how far curved ones move in a trial.
+const PEAK: f64 = 2e-12;
+
 /// Candidates under way.
 #[derive(Default, Debug)]
 pub(crate) struct Buffers {
     normals: Vec<DVec3>,
-    lines_a: Vec<DVec3>,
-    lines_b: Vec<DVec3>,
+    ridges_a: Vec<Ridge>,
+    ridges_b: Vec<Ridge>,
 }
 
 /// The best direction near the given one.
@@ -53,8 +59,10 @@ pub(crate) struct Polished {
     pub normal: DVec3,
     /// s(normal) [m].
     pub separation: f64,
-    /// Where A and B are nearest, or deepest in each other; None when no climb was possible.
+    /// Where A and B are nearest, or deepest in each other, where that is known.
     pub witness: Option<DVec3>,
+    /// s was seen to fall on all sides.
+    pub is_peak: bool,
 }
 
 /// s(n).
@@ -70,22 +78,51 @@ pub(crate) fn polish(
     normal: DVec3,
     buffers: &mut Buffers,
 ) -> Option<Polished> {
-    let given = normal.try_normalize()?;
-    let scale = a.shape.bounding_radius().min(b.shape.bounding_radius());
-    candidates(a, b, given, buffers);
-    let Some(kink) = best_of(a, b, &buffers.normals) else {
-        return Some(climb(a, b, given, scale, buffers));
-    };
-    let from_kink = || kink.unless(climb(a, b, kink.normal, scale, buffers), scale);
-    if kink.separation >= separation(a, b, given) && kink.normal.dot(given) > NEARBY {
-        return Some(from_kink());
+    let best = ascend(a, b, normal.try_normalize()?, buffers);
+    if best.is_peak {
+        return Some(best);
     }
-    let climbed = climb(a, b, given, scale, buffers);
-    Some(if kink.separation > climbed.separation + ROUNDING * scale {
-        from_kink()
-    } else {
-        kink.unless(climbed, scale)
-    })
+    let scale = a.shape.bounding_radius().min(b.shape.bounding_radius());
+    Some(best.unless(climb(a, b, best.normal, scale, buffers), scale))
+}
+
+/// The same for a unit direction, as far as kinks and Newton's method lead.
+pub(crate) fn ascend(a: &Posed, b: &Posed, given: DVec3, buffers: &mut Buffers) -> Polished {
+    let (radius_a, radius_b) = (a.shape.bounding_radius(), b.shape.bounding_radius());
+    candidates(a, b, given, buffers);
+    let kink = best_of(a, b, &buffers.normals);
+    let (core_a, core_b) = (Core::of(a.shape), Core::of(b.shape));
+    let cores = Cores {
+        a: core_a.posed(a),
+        b: core_b.posed(b),
+        skin: core_a.skin + core_b.skin,
+        lift: core_b.skin - core_a.skin,
+    };
+    let given = Polished::at(a, b, given);
+    let best = ascended(&cores, given, kink, radius_a.min(radius_b), buffers);
+    let is_peak = cores.is_peak(best.normal, PEAK * radius_a.max(radius_b));
+    Polished { is_peak, ..best }
+}
+
+/// The best of a direction, the smooth maximum near it, those on ridges near, and a kink; of equals the one that is exact
+/// in more ways.
+fn ascended(
+    cores: &Cores,
+    given: Polished,
+    kink: Option<Polished>,
+    scale: f64,
+    buffers: &Buffers,
+) -> Polished {
+    let smooth = cores.smooth(given.normal);
+    let mut best = smooth.map_or(given, |found| found.better(given));
+    let from = kink.map_or(best, |kink| best.better(kink)).normal;
+    let ridges = buffers.ridges_a.iter().chain(&buffers.ridges_b);
+    let near = ridges.filter(|r| (r.axis.dot(from) - r.height).abs() < BESIDE);
+    let along = near.filter_map(|ridge| cores.along(ridge, from));
+    if let Some(ridge) = along.reduce(Polished::better) {
+        best = ridge.unless(best, scale);
+    }
+    kink.map_or(best, |kink| kink.unless(best, scale))
 }
 
 impl Polished {
@@ -94,11 +131,12 @@ impl Polished {
             normal,
             separation: separation(a, b, normal),
             witness: None,
+            is_peak: false,
         }
     }
 
     /// The one that separates better, this one when equal.
-    fn better(self, other: Self) -> Self {
+    pub fn better(self, other: Self) -> Self {
         if other.separation > self.separation {
             other
         } else {
@@ -106,15 +144,19 @@ impl Polished {
         }
     }
 
-    /// This exact direction with the other's witness, unless the other separates better by more than rounding.
-    fn unless(self, climbed: Self, scale: f64) -> Self {
-        if climbed.separation > self.separation + ROUNDING * scale {
-            climbed
-        } else {
+    /// This exact direction, with the other's witness if that is the same contact, unless the other separates better by
+    /// more than rounding.
+    fn unless(self, other: Self, scale: f64) -> Self {
+        let gain = other.separation - self.separation;
+        if gain > ROUNDING * scale {
+            other
+        } else if gain > -ROUNDING * scale {
             Self {
-                witness: climbed.witness,
+                witness: other.witness.or(self.witness),
                 ..self
             }
+        } else {
+            self
         }
     }
 }
@@ -126,19 +168,17 @@ fn best_of(a: &Posed, b: &Posed, normals: &[DVec3]) -> Option<Polished> {
         .reduce(Polished::better)
 }
 
+/// Where A and B meet along the best direction, when that was found without looking.
+pub(crate) fn meeting(a: &Posed, b: &Posed, best: &Polished, buffers: &Buffers) -> Option<DVec3> {
+    let scale = a.shape.bounding_radius().min(b.shape.bounding_radius());
+    climb(a, b, best.normal, scale, buffers).witness
+}
+
 /// Spheres and capsules are climbed by their cores, to which s differs by a constant: that is faster and exact.
 fn climb(a: &Posed, b: &Posed, start: DVec3, scale: f64, buffers: &Buffers) -> Polished {
-    let ((shape_a, radius_a), (shape_b, radius_b)) = (core(a.shape), core(b.shape));
-    let (core_a, core_b) = (
-        Posed {
-            shape: &shape_a,
-            ..*a
-        },
-        Posed {
-            shape: &shape_b,
-            ..*b
-        },
-    );
+    let (core_a, core_b) = (Core::of(a.shape), Core::of(b.shape));
+    let (radius_a, radius_b) = (core_a.skin, core_b.skin);
+    let (core_a, core_b) = (core_a.posed(a), core_b.posed(b));
     let skin = radius_a + radius_b;
     let mut best = Polished::at(a, b, start);
     let mut step = DVec3::ZERO;
@@ -186,12 +226,12 @@ fn extrapolated(
     }
 }
 
-/// Turned at right angles to a straight line that nearly lies so, where that separates better: along a line the maximum
-/// is a kink, though it may be smooth across it (cylinders side by side).
+/// Turned to a ridge that is near, where that separates better: across a ridge the maximum is a kink, though it may be
+/// smooth along it (cylinders side by side).
 fn levelled(a: &Posed, b: &Posed, normal: DVec3, buffers: &Buffers) -> DVec3 {
-    let lines = buffers.lines_a.iter().chain(&buffers.lines_b);
-    let near = lines.filter(|line| line.dot(normal).abs() < LEVEL);
-    let level = near.filter_map(|line| (normal - line.dot(normal) * *line).try_normalize());
+    let ridges = buffers.ridges_a.iter().chain(&buffers.ridges_b);
+    let near = ridges.filter(|r| (r.axis.dot(normal) - r.height).abs() < LEVEL);
+    let level = near.filter_map(|ridge| Some(ridge.at(ridge.across(normal)?)));
     let better = |best: DVec3, next: DVec3| {
         if separation(a, b, next) > separation(a, b, best) {
             next
@@ -202,20 +242,41 @@ fn levelled(a: &Posed, b: &Posed, normal: DVec3, buffers: &Buffers) -> DVec3 {
     level.fold(normal, better)
 }
 
-/// The shape without its skin of constant thickness, and that thickness.
-fn core(shape: &Shape) -> (Shape, f64) {
-    match shape {
-        Shape::Sphere { radius } => (Shape::Rod { half_length: 0.0 }, *radius),
-        Shape::Capsule {
-            radius,
-            half_height,
-        } => (
-            Shape::Rod {
-                half_length: *half_height,
-            },
-            *radius,
-        ),
-        _ => (shape.clone(), 0.0),
+/// A shape without its skin of constant thickness.
+pub(crate) struct Core {
+    /// None where the shape is its own core.
+    segment: Option<Shape>,
+    /// Thickness [m].
+    pub skin: f64,
+}
+
+impl Core {
+    pub fn of(shape: &Shape) -> Self {
+        let (half_length, skin) = match shape {
+            Shape::Sphere { radius } => (0.0, *radius),
+            Shape::Capsule {
+                radius,
+                half_height,
+            } => (*half_height, *radius),
+            _ => {
+                return Self {
+                    segment: None,
+                    skin: 0.0,
+                }
+            }
+        };
+        Self {
+            segment: Some(Shape::Rod { half_length }),
+            skin,
+        }
+    }
+
+    /// Where the whole shape is.
+    pub fn posed<'a>(&'a self, whole: &Posed<'a>) -> Posed<'a> {
+        Posed {
+            shape: self.segment.as_ref().unwrap_or(whole.shape),
+            ..*whole
+        }
     }
 }
 
@@ -223,23 +284,20 @@ fn core(shape: &Shape) -> (Shape, f64) {
 fn candidates(a: &Posed, b: &Posed, n: DVec3, buffers: &mut Buffers) {
     let Buffers {
         normals,
-        lines_a,
-        lines_b,
+        ridges_a,
+        ridges_b,
     } = buffers;
     normals.clear();
     face_normals(a, -n, normals);
     normals.iter_mut().for_each(|m| *m = -*m);
     face_normals(b, n, normals);
-    lines(a, -n, lines_a);
-    lines(b, n, lines_b);
-    for p in lines_a.iter() {
-        for q in lines_b.iter() {
-            if let Some(m) = p.cross(*q).try_normalize() {
-                let m = if m.dot(n) < 0.0 { -m } else { m };
-                if m.dot(n) > 0.0 {
-                    normals.push(m);
-                }
-            }
+    ridges(a, -n, ridges_a);
+    ridges_a.iter_mut().for_each(|r| r.height = -r.height);
+    ridges(b, n, ridges_b);
+    for p in ridges_a.iter() {
+        for q in ridges_b.iter() {
+            let crossings = p.crossings(q).into_iter().flatten();
+            normals.extend(crossings.filter(|m| m.dot(n) > 0.0));
         }
     }
 }
@@ -271,27 +329,31 @@ fn face_normals(a: &Posed, direction: DVec3, out: &mut Vec<DVec3>) {
     }
 }
 
-/// Unit directions (world) of the straight lines on the surface where it faces a direction.
-fn lines(a: &Posed, direction: DVec3, out: &mut Vec<DVec3>) {
+/// The ridges of a shape's straight lines where it faces a direction (world).
+fn ridges(a: &Posed, direction: DVec3, out: &mut Vec<Ridge>) {
     out.clear();
     let d = a.pose.inverse_direction(direction);
+    let mut add = |along: DVec3, height: f64| {
+        let axis = a.pose.direction(along.normalize_or_zero());
+        out.push(Ridge { axis, height });
+    };
     match a.shape {
-        Shape::Box { .. } => out.extend(DVec3::AXES),
-        Shape::Cylinder { .. } | Shape::Capsule { .. } | Shape::Rod { .. } => out.push(DVec3::Z),
-        Shape::Cone { radius, height } => {
-            let radial = DVec3::new(d.x, d.y, 0.0).normalize_or_zero();
-            out.push(*radius * radial - DVec3::new(0.0, 0.0, *height));
-        }
-        Shape::Hull(hull) => edges_near(hull, d, out),
-        Shape::Triangle([p, q, r]) => out.extend([*q - *p, *r - *q, *p - *r]),
+        Shape::Box { .. } => DVec3::AXES.into_iter().for_each(|axis| add(axis, 0.0)),
+        Shape::Cylinder { .. } | Shape::Capsule { .. } | Shape::Rod { .. } => add(DVec3::Z, 0.0),
+        Shape::Cone { radius, height } => add(
+            DVec3::Z,
+            radius / (radius * radius + height * height).sqrt(),
+        ),
+        Shape::Hull(hull) => edges_near(hull, d, |edge| add(edge, 0.0)),
+        Shape::Triangle([p, q, r]) => [*q - *p, *r - *q, *p - *r]
+            .into_iter()
+            .for_each(|edge| add(edge, 0.0)),
         _ => {}
     }
-    out.iter_mut()
-        .for_each(|line| *line = a.pose.direction(line.normalize_or_zero()));
 }
 
 /// Edges that leave the supporting vertex, and in small hulls also those that leave its neighbours.
-fn edges_near(hull: &Hull, d: DVec3, out: &mut Vec<DVec3>) {
+fn edges_near(hull: &Hull, d: DVec3, mut add: impl FnMut(DVec3)) {
     let vertex = |i: u32| {
         hull.vertices()
             .get(i as usize)
@@ -303,13 +365,11 @@ fn edges_near(hull: &Hull, d: DVec3, out: &mut Vec<DVec3>) {
         return;
     };
     for &i in hull.neighbours(first) {
-        out.push(vertex(i) - top);
+        add(vertex(i) - top);
         if hull.faces().len() <= MANY_FACES {
-            out.extend(
-                hull.neighbours(i as usize)
-                    .iter()
-                    .map(|&j| vertex(j) - vertex(i)),
-            );
+            for &j in hull.neighbours(i as usize) {
+                add(vertex(j) - vertex(i));
+            }
         }
     }
 }

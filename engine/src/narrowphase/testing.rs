@@ -1,6 +1,6 @@
 //! Helpers of the unit tests: pseudo-random poses, the shapes under test, and an independent measure of separation.
 
-use super::{collide, ContactPoint, Posed, Scratch, Verdict};
+use super::{collide, ContactPoint, Posed, Scratch};
 use crate::shape::{Hull, Pose, Shape};
 use glam::{DQuat, DVec3};
 use std::sync::Arc;
@@ -110,7 +110,7 @@ pub fn shapes() -> Vec<Shape> {
     ]
 }
 
-/// Contacts of a pair, which must have a kernel.
+/// Contacts of a pair.
 pub fn contacts(
     a: &Shape,
     pose_a: &Pose,
@@ -119,7 +119,7 @@ pub fn contacts(
     margin: f64,
 ) -> Vec<ContactPoint> {
     let mut out = Vec::new();
-    let verdict = collide(
+    collide(
         a,
         pose_a,
         b,
@@ -128,7 +128,6 @@ pub fn contacts(
         &mut Scratch::default(),
         &mut out,
     );
-    assert_eq!(verdict, Verdict::Answered);
     out
 }
 

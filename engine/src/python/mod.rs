@@ -189,7 +189,7 @@ impl PyWorld {
         }
     }
 
-    /// True when FCL must answer some pair of this scene.
+    /// True when FCL is to answer the pairs of this scene.
     fn needs_answer(&self) -> bool {
         self.world.needs_oracle()
     }

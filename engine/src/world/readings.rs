@@ -1,7 +1,5 @@
 //! What the world hands out: energies, loads of joints, contacts of the present state.
 
-use std::mem::discriminant;
-
 use glam::DVec3;
 
 use crate::body::Body;
@@ -50,32 +48,10 @@ impl World {
         Ok(self.detector.found().map(contact).collect())
     }
 
-    /// True when a pair of shapes that may meet has no kernel here.
+    /// Whether contacts are asked of an oracle.
     #[must_use]
     pub fn needs_oracle(&self) -> bool {
-        let asks = |a: &Geom, b: &Geom| {
-            self.settings.fcl_only || !crate::narrowphase::has_kernel(&a.shape, &b.shape)
-        };
-        let movable = |k: usize| !self.bodies[k].is_fixed();
-        // Two of a kind stand for all of that kind: scenes have many geoms and few kinds.
-        let mut chosen: Vec<u32> = Vec::new();
-        for (index, geom) in (0u32..).zip(&self.geoms) {
-            let alike = |k: &&u32| {
-                let other = &self.geoms[**k as usize];
-                discriminant(&other.shape) == discriminant(&geom.shape)
-                    && movable(other.body) == movable(geom.body)
-                    && other.body != geom.body
-            };
-            if chosen.iter().filter(alike).count() < 2 {
-                chosen.push(index);
-            }
-        }
-        chosen.iter().enumerate().any(|(n, &i)| {
-            chosen[n + 1..].iter().any(|&j| {
-                asks(&self.geoms[i as usize], &self.geoms[j as usize])
-                    && self.broadphase.may_touch(&self.geoms, i, j, &movable)
-            })
-        })
+        self.settings.fcl_only
     }
 
     pub(super) fn potential(&self) -> Potential {

@@ -35,7 +35,7 @@ class SimulationSpec(Spec):
     )
     collision: Literal["auto", "fcl"] = Field(
         default="auto",
-        description="Own closed forms where they exist and FCL elsewhere, or FCL for every pair.",
+        description="The engine's own answers, or FCL for every pair.",
     )
     iterations: Annotated[int, Whole(1, 1_000_000)] = Field(
         default=50, description="Most sweeps of the contact solver per step, at least 1."
