@@ -217,7 +217,7 @@ def test_the_strongest_contacts_stay(crowd: Path) -> None:
 
 
 def test_kept_frames_are_those_of_the_file_and_the_last_is_among_them(crowd: Path) -> None:
-    page, report = in_room(crowd, size_of_all(crowd) // 6)
+    page, report = in_room(crowd, size_of_all(crowd, bits=16) // 2)
     assert report.stride > 1
     with h5py.File(crowd) as file:
         times = file["time"][:]
