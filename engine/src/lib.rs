@@ -44,8 +44,10 @@ pub mod shape;
 pub mod shuffle;
 pub mod solver;
 mod subspace;
+mod system;
 pub mod team;
 mod twists;
+mod worker;
 pub mod world;
 
 #[cfg(feature = "python")]

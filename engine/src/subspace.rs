@@ -17,7 +17,7 @@ use crate::math::length;
 use crate::mover::{Part, Twist};
 use crate::point::Point;
 use crate::roll::Roll;
-use crate::solver::System;
+use crate::system::System;
 
 /// eps. What a leap leaves of an error in a motion whose eigenvalue of diag(A)^-1 A is e: eps / (eps + e). The
 /// softest motions of real scenes (many bodies high, 1000 : 1 in mass) have e about 1e-4. Tried from 1e-8 to 1e-5: with
